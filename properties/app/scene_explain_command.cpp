@@ -19,10 +19,14 @@ scene::Plan measured_plan(const scene::Scene& scene) try {
 
 const char* what_moves(scene::SystemKind kind) {
   switch (kind) {
-    case scene::SystemKind::ThrownBody: return "a lone rigid body with its translation in closed form";
-    case scene::SystemKind::LoneBody: return "a lone rigid body";
-    case scene::SystemKind::LoneJoint: return "one joint";
-    default: return "a tree";
+    case scene::SystemKind::ThrownBody:
+      return "a lone rigid body with its translation in closed form";
+    case scene::SystemKind::LoneBody:
+      return "a lone rigid body";
+    case scene::SystemKind::LoneJoint:
+      return "one joint";
+    default:
+      return "a tree";
   }
 }
 
@@ -37,20 +41,22 @@ int run(const Flags& f) {
   stated_truth(scene);
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
-  fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",
-             what_moves(plan.kind), scene.model.nq, scene.model.nv,
-             scene.span.steps, scene.span.duration / double(scene.span.steps), scene.integrator,
+  const bool adaptive = scene::methodInfo(scene.integrator).adaptive;
+  fmt::print("{} of nq {}, nv {}; {} {} of {:g} s by {}, sampled {} times\n\n", what_moves(plan.kind),
+             scene.model.nq, scene.model.nv, scene.span.steps, adaptive ? "intervals" : "steps",
+             scene.span.duration / double(scene.span.steps), scene.integrator,
              (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
-  fmt::print("evaluations of the acceleration in a step: {:g}, counted over the first steps\n\n", plan.evaluations);
-  fmt::print("{:<34}{:<12}{:>13}{:>10}  {}\n", "stage", "each", "instructions", "ns", "because");
+  fmt::print("evaluations of the acceleration in {}: {:g}, counted over the first ones\n\n",
+             adaptive ? "an interval" : "a step", plan.evaluations);
+  fmt::print("{:<38} {:<11} {:>12} {:>9}  {}\n", "stage", "each", "instructions", "ns", "because");
   for (const auto& s : plan.stages) {
-    fmt::print("{:<34}{:<12}{:>13}{:>10}  {}\n", s.name, s.when,
+    fmt::print("{:<38} {:<11} {:>12} {:>9}  {}\n", s.name, s.when,
                s.instructions ? fmt::format("{}", *s.instructions) : "not counted",
                s.nanoseconds ? fmt::format("{:.1f}", *s.nanoseconds) : "-", s.why);
     if (!s.equation.empty()) fmt::print("    {}\n", s.equation);
   }
-  fmt::print("\n{:<34}{}\n", "left out", "because");
-  for (const auto& l : plan.left_out) fmt::print("{:<34}{}\n", l.name, l.why);
+  fmt::print("\n{:<38} {}\n", "left out", "because");
+  for (const auto& l : plan.left_out) fmt::print("{:<38} {}\n", l.name, l.why);
   return within_budget;
 }
 

@@ -36,13 +36,14 @@ std::string csv_of(const scene::Run& run) {
 
 void print_figures(const scene::Scene& scene, const scene::Run& run) {
   const double h = scene.span.duration / double(scene.span.steps);
-  fmt::print("{}: {} in {} steps of {:g} s by {}, {:.3g} s on one core\n", scene.name,
-             fmt::format("{:g} s", run.outcome.t), run.outcome.steps, h, scene.integrator, run.seconds);
+  fmt::print("{}: {:g} s in {} {} of {:g} s by {}, {:.3g} s on one core\n", scene.name, run.outcome.t,
+             run.outcome.steps, scene::methodInfo(scene.integrator).adaptive ? "intervals" : "steps", h,
+             scene.integrator, run.seconds);
   if (run.counts.steps > 0)
-    fmt::print("  {} internal steps, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
-               run.counts.iterations);
+    fmt::print("  {} steps of the method, {} rejected, {} iterations\n", run.counts.steps,
+               run.counts.rejected, run.counts.iterations);
   if (run.outcome.events > 0)
-    fmt::print("  {} events of contacts, limits or clamps were located\n", run.outcome.events);
+    fmt::print("  events of contacts, limits or clamps that were located: {}\n", run.outcome.events);
   if (run.outcome.zeno)
     fmt::print(
         "  more than {} events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
@@ -66,8 +67,10 @@ void print_estimate(const scene::Estimate& e) {
   row("angular velocities", e.error.angular_velocity, 0, "rad/s");
   if (std::isnan(e.error.position) && std::isnan(e.error.angle))
     fmt::print("  {:<36}{:>24}\n", "estimated error", "not measured");
-  fmt::print("    by twins with {} at {} checkpoints, for {:.0f} % of the run's steps; order observed: {}\n",
-             e.by, e.checkpoints, 100 * e.cost, e.order ? fmt::format("{:.2g}", *e.order) : "none");
+  fmt::print("    by runs with {}, compared at {} states, for {:.0f} % of the run's steps; {}\n", e.by,
+             e.checkpoints, 100 * e.cost,
+             e.order && *e.order > 0.5 ? fmt::format("order observed: {:.2g}", *e.order)
+                                       : "no order observed: rounding errors or events prevail");
 }
 
 /// Prints the errors of the last state against the closed form that the scene names. Returns false if one exceeds what the

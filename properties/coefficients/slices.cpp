@@ -22,8 +22,8 @@ namespace {
 namespace reference = oracles::slice;
 using reference::V3;
 
-constexpr double eps = std::numeric_limits<float>::epsilon();
-constexpr std::uint32_t task = 1U << 20;
+constexpr double float_eps = std::numeric_limits<float>::epsilon();
+constexpr std::uint32_t floats_per_task = 1U << 20;
 
 /// One input: phi, or the quaternion with its angle, and rho.
 struct Input {
@@ -39,7 +39,7 @@ double relative(const A& computed, const B& exact) {
     const double e = double(computed(Eigen::Index(i))) - exact[i];
     error += e * e, size += exact[i] * exact[i];
   }
-  return std::sqrt(error) / std::max(std::sqrt(size), double(std::numeric_limits<float>::min()) / eps);
+  return std::sqrt(error) / std::max(std::sqrt(size), double(std::numeric_limits<float>::min()) / float_eps);
 }
 /// The entries of a matrix, row by row.
 auto rows(const Matrix3<float>& M) {
@@ -116,7 +116,7 @@ double error_at(const SweptOperation& o, float theta, const std::array<float, 3>
     in.rho_float[k] = rho[i], in.rho[i] = rho[i];
   }
   if (reference::dot(in.phi, in.phi) > std::numbers::pi * std::numbers::pi) return 0;
-  const double e = o.error(in) / eps;
+  const double e = o.error(in) / float_eps;
   return e < std::numeric_limits<double>::infinity() ? e : std::numeric_limits<double>::infinity();
 }
 
@@ -185,7 +185,7 @@ std::vector<Slice> sweep_slices(const SliceOptions& options) {
     }
   }
   const std::uint32_t end = std::bit_cast<std::uint32_t>(float(std::numbers::pi)) + 1,
-                      tasks = (end + task - 1) / task;
+                      tasks = (end + floats_per_task - 1) / floats_per_task;
   const std::uint64_t total = std::uint64_t{tasks} * slices.size();
   std::atomic<std::uint64_t> next{0}, done{0};
   std::atomic<bool> never{false};
@@ -195,12 +195,12 @@ std::vector<Slice> sweep_slices(const SliceOptions& options) {
   run_on_threads(options.jobs, stop, [&] {
     for (std::uint64_t t; !stop && (t = next++) < total;) {
       const std::size_t k = std::size_t(t / tasks);
-      const auto first = std::uint32_t(t % tasks) * task;
+      const auto first = std::uint32_t(t % tasks) * floats_per_task;
       double most = 0;
       std::uint32_t at = end;
       std::uint64_t n = 0;
       for (std::uint32_t bits = (first + options.stride - 1) / options.stride * options.stride;
-           bits < std::min(end, first + task) && !stop; bits += options.stride, ++n)
+           bits < std::min(end, first + floats_per_task) && !stop; bits += options.stride, ++n)
         if (const double e = error_at(*of[k], std::bit_cast<float>(bits), slices[k].axis, slices[k].rho);
             e > most)
           most = e, at = bits;

@@ -50,7 +50,7 @@ void append(std::vector<B>& to, const BodyOf<B>& I) {
   append(to, I.mass), append(to, I.c), append(to, I.I_C);
 }
 template <class B, class... T>
-std::vector<B> joined(const T&... values) {
+std::vector<B> stacked(const T&... values) {
   std::vector<B> all;
   all.reserve(36);  // of the largest result
   (append(all, values), ...);
@@ -63,7 +63,7 @@ using Formulas = std::map<std::string_view, std::function<std::vector<B>(Reader<
 template <class B>
 Formulas<B> exponentials() {
   using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
   const auto jacobian3 = [=](auto f) {
     return [=](Reader x) { return numbers(f(stack(zero_vector<3, B>(), x.template take<3>())).J); };
   };
@@ -104,7 +104,7 @@ Formulas<B> exponentials() {
 template <class B>
 Formulas<B> spatial_algebra() {
   using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
   const auto moved = [=](auto f) {
     return [=](Reader x) {
       const PoseOf<B> X = x.pose();
@@ -160,7 +160,7 @@ Formulas<B> spatial_algebra() {
 template <class B>
 Formulas<B> configurations() {
   using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
   const auto rotated = [=](Reader x) {
     const Quaternion<B> Q = x.template take<4>();
     return numbers(rotate(Q, x.template take<3>()));
@@ -232,72 +232,71 @@ Vec3<Real> angles_of(const Order& order, const Mat3<Real>& R) {
 /// Between rotations and directions, Euler angles and rates: only in Real.
 Formulas<Real> orientations() {
   using Reader = conventions::Reader<Real>;
-  const auto numbers = [](const auto&... values) { return joined<Real>(values...); };
-  return {
-      {"relative_angle",
-       [=](Reader x) {
-         const Quaternion<> Q0 = x.take<4>();
-         return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
-       }},
-      {"twist_angle",
-       [=](Reader x) {
-         const Quaternion<> Q = x.take<4>();
-         return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
-       }},
-      {"slerp",
-       [=](Reader x) {
-         const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
-         return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
-       }},
-      {"rotation_between",
-       [=](Reader x) {
-         const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
-                          to = Real(1 / norm(v)) * v, n = cross(from, to);
-         const Real w(1 + dot(from, to));
-         if (w + norm(n) < Real(1e-40))  // opposite, but for rounding: about any axis perpendicular to u
-           return numbers(normalized(abs(u[0]) > abs(u[2])
-                                         ? Quaternion<>{{Real(-u[1]), u[0], Real(0), Real(0)}}
-                                         : Quaternion<>{{Real(0), Real(-u[2]), u[1], Real(0)}}));
-         return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], w}}));
-       }},
-      {"euler_to_quaternion",
-       [=](Reader x) {
-         const Order order(static_cast<int>(x.take<1>()[0]));
-         return numbers(euler(order, x.take<3>()).value);
-       }},
-      {"euler_to_matrix",
-       [=](Reader x) {
-         const Order order(static_cast<int>(x.take<1>()[0]));
-         return numbers(rotation_matrix(euler(order, x.take<3>()).value));
-       }},
-      {"euler_from_quaternion",
-       [=](Reader x) {
-         const Order order(static_cast<int>(x.take<1>()[0]));
-         return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
-       }},
-      {"euler_from_matrix",
-       [=](Reader x) {
-         const Order order(static_cast<int>(x.take<1>()[0]));
-         return numbers(angles_of(order, x.take<3, 3>()));
-       }},
-      {"velocity_to_rate",
-       [=](Reader x) {
-         const Quaternion<> Q = quaternion_of(x.take<7>());
-         const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
-         return numbers(rotate(Q, u),
-                        Real(Real(1) / 2) *
-                            quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
-       }},
-      {"rate_to_velocity", [=](Reader x) {
-         const Quaternion<> Q = quaternion_of(x.take<7>());
-         const Vec3<Real> p_dot = x.take<3>();
-         return numbers(rotate(Q, p_dot, true),
-                        Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
-       }}};
+  const auto numbers = [](const auto&... values) { return stacked<Real>(values...); };
+  return {{"relative_angle",
+           [=](Reader x) {
+             const Quaternion<> Q0 = x.take<4>();
+             return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
+           }},
+          {"twist_angle",
+           [=](Reader x) {
+             const Quaternion<> Q = x.take<4>();
+             return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
+           }},
+          {"slerp",
+           [=](Reader x) {
+             const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
+             return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
+           }},
+          {"rotation_between",
+           [=](Reader x) {
+             const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
+                              to = Real(1 / norm(v)) * v, n = cross(from, to);
+             const Real w(1 + dot(from, to));
+             if (w + norm(n) < Real(1e-40))  // opposite, but for rounding: about any axis perpendicular to u
+               return numbers(normalized(abs(u[0]) > abs(u[2])
+                                             ? Quaternion<>{{Real(-u[1]), u[0], Real(0), Real(0)}}
+                                             : Quaternion<>{{Real(0), Real(-u[2]), u[1], Real(0)}}));
+             return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], w}}));
+           }},
+          {"euler_to_quaternion",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(euler(order, x.take<3>()).value);
+           }},
+          {"euler_to_matrix",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(rotation_matrix(euler(order, x.take<3>()).value));
+           }},
+          {"euler_from_quaternion",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
+           }},
+          {"euler_from_matrix",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(angles_of(order, x.take<3, 3>()));
+           }},
+          {"velocity_to_rate",
+           [=](Reader x) {
+             const Quaternion<> Q = quaternion_of(x.take<7>());
+             const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
+             return numbers(rotate(Q, u),
+                            Real(Real(1) / 2) *
+                                quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
+           }},
+          {"rate_to_velocity", [=](Reader x) {
+             const Quaternion<> Q = quaternion_of(x.take<7>());
+             const Vec3<Real> p_dot = x.take<3>();
+             return numbers(rotate(Q, p_dot, true),
+                            Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
+           }}};
 }
 Formulas<Real> planar_poses() {
   using Reader = conventions::Reader<Real>;
-  const auto numbers = [](const auto&... values) { return joined<Real>(values...); };
+  const auto numbers = [](const auto&... values) { return stacked<Real>(values...); };
   const auto of_log = [=](const LogResult& log) { return numbers(log.rho[0], log.rho[1], log.phi[2]); };
   return {{"se2_exp", [=](Reader x) { return numbers(planar_exp(x.take<3>()).value); }},
           {"se2_log",

@@ -199,7 +199,7 @@ std::vector<HistoricBug> configurations() {
   };
 }
 
-const HistoryRows registered[] = {HistoryRows(jacobians), HistoryRows(configurations)};
+const HistoryRows registered_jacobians[] = {HistoryRows(jacobians), HistoryRows(configurations)};
 
 }  // namespace
 }  // namespace liecheck::properties::history

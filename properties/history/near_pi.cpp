@@ -143,7 +143,7 @@ std::vector<HistoricBug> logarithms() {
   };
 }
 
-const HistoryRows registered(logarithms);
+const HistoryRows registered_near_pi(logarithms);
 
 }  // namespace
 }  // namespace liecheck::properties::history

@@ -44,7 +44,7 @@ std::vector<HistoricBug> reports() {
   };
 }
 
-const HistoryRows registered(reports);
+const HistoryRows registered_not_expressed(reports);
 
 }  // namespace
 }  // namespace liecheck::properties::history

@@ -15,7 +15,7 @@ V6 log_with(const P& T, double sixty_times) {
   return H::stack(T.p - u / 2 + (1 / 12. + sixty_times * x / 720) * phi.cross(u), phi);
 }
 
-std::vector<HistoricBug> logarithms() {
+std::vector<HistoricBug> logarithms_of_poses() {
   return {
       {"idyntree_561_log", "iDynTree", "gbionics/idyntree#561", "theta > 0", "p instead of V^-1 p",
        "The logarithm left the translation unchanged.",
@@ -191,7 +191,8 @@ std::vector<HistoricBug> bodies() {
   };
 }
 
-const HistoryRows registered[] = {HistoryRows(logarithms), HistoryRows(actions), HistoryRows(bodies)};
+const HistoryRows registered_poses[] = {HistoryRows(logarithms_of_poses), HistoryRows(actions),
+                                        HistoryRows(bodies)};
 
 }  // namespace
 }  // namespace liecheck::properties::history

@@ -353,8 +353,9 @@ std::vector<HistoricBug> differences() {
   };
 }
 
-const HistoryRows registered[] = {HistoryRows(exponentials), HistoryRows(logarithms_of_matrices),
-                                  HistoryRows(logarithms_of_quaternions), HistoryRows(differences)};
+const HistoryRows registered_small_angles[] = {HistoryRows(exponentials), HistoryRows(logarithms_of_matrices),
+                                               HistoryRows(logarithms_of_quaternions),
+                                               HistoryRows(differences)};
 
 }  // namespace
 }  // namespace liecheck::properties::history

@@ -326,8 +326,8 @@ std::vector<HistoricBug> loaders() {
   };
 }
 
-const HistoryRows registered[] = {HistoryRows(dynamics), HistoryRows(mass_matrices), HistoryRows(jacobians),
-                                  HistoryRows(loaders)};
+const HistoryRows registered_trees[] = {HistoryRows(dynamics), HistoryRows(mass_matrices),
+                                        HistoryRows(jacobians), HistoryRows(loaders)};
 
 }  // namespace
 }  // namespace liecheck::properties::history

@@ -82,7 +82,7 @@ class AnyNorm final : public Law<AnyNorm, S> {
   }
 };
 
-const RegisteredProperty<AnyNorm> registered;
+const RegisteredProperty<AnyNorm> registered_any_norm;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -92,7 +92,7 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations, S> {
   }
 };
 
-const RegisteredProperty<AnyNormConfigurations> registered;
+const RegisteredProperty<AnyNormConfigurations> registered_any_norm_configurations;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -81,7 +81,7 @@ class CoefficientRates final : public SlowLaw<CoefficientRates, S> {
   }
 };
 
-const RegisteredProperty<CoefficientRates> registered;
+const RegisteredProperty<CoefficientRates> registered_coefficient_rates;
 
 }  // namespace
 }  // namespace liecheck::properties

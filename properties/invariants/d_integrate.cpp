@@ -88,7 +88,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
   }
 };
 
-const RegisteredProperty<DIntegrate> registered;
+const RegisteredProperty<DIntegrate> registered_d_integrate;
 
 }  // namespace
 }  // namespace liecheck::properties

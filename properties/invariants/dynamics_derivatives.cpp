@@ -93,7 +93,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
   }
 };
 
-const RegisteredTreeLaw<DynamicsDerivatives> registered;
+const RegisteredTreeLaw<DynamicsDerivatives> registered_dynamics_derivatives;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -172,7 +172,7 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
   }
 };
 
-const RegisteredProperty<EulerAngles> registered;
+const RegisteredProperty<EulerAngles> registered_euler_angles;
 
 }  // namespace
 }  // namespace liecheck::properties

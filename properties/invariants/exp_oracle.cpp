@@ -82,7 +82,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
   }
 };
 
-const RegisteredProperty<ExpOracle> registered;
+const RegisteredProperty<ExpOracle> registered_exp_oracle;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -110,7 +110,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
   }
 };
 
-const RegisteredTreeLaw<ForwardDynamics> registered;
+const RegisteredTreeLaw<ForwardDynamics> registered_forward_dynamics;
 
 }  // namespace
 }  // namespace liecheck::properties

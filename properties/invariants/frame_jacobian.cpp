@@ -56,7 +56,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   }
 };
 
-const RegisteredTreeLaw<FrameJacobian> registered;
+const RegisteredTreeLaw<FrameJacobian> registered_frame_jacobian;
 
 }  // namespace
 }  // namespace liecheck::properties

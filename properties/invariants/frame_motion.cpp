@@ -61,7 +61,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
   }
 };
 
-const RegisteredTreeLaw<FrameMotionLaw> registered;
+const RegisteredTreeLaw<FrameMotionLaw> registered_frame_motion;
 
 }  // namespace
 }  // namespace liecheck::properties

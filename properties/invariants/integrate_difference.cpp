@@ -173,7 +173,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
 };
 
-const RegisteredProperty<IntegrateDifference> registered;
+const RegisteredProperty<IntegrateDifference> registered_integrate_difference;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -104,7 +104,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
   }
 };
 
-const RegisteredProperty<JacobianOracle> registered;
+const RegisteredProperty<JacobianOracle> registered_jacobian_oracle;
 
 }  // namespace
 }  // namespace liecheck::properties

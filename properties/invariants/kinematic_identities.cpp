@@ -116,7 +116,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
   }
 };
 
-const RegisteredProperty<KinematicIdentities> registered;
+const RegisteredProperty<KinematicIdentities> registered_kinematic_identities;
 
 }  // namespace
 }  // namespace liecheck::properties

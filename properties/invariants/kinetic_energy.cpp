@@ -257,7 +257,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
 };
 
-const RegisteredProperty<KineticEnergy> registered;
+const RegisteredProperty<KineticEnergy> registered_kinetic_energy;
 
 }  // namespace
 }  // namespace liecheck::properties

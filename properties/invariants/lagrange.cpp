@@ -59,7 +59,7 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
   }
 };
 
-const RegisteredTreeLaw<Lagrange> registered;
+const RegisteredTreeLaw<Lagrange> registered_lagrange;
 
 }  // namespace
 }  // namespace liecheck::properties

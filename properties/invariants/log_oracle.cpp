@@ -61,7 +61,7 @@ class LogOracle final : public Law<LogOracle, S> {
   }
 };
 
-const RegisteredProperty<LogOracle> registered;
+const RegisteredProperty<LogOracle> registered_log_oracle;
 
 }  // namespace
 }  // namespace liecheck::properties

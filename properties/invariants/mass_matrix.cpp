@@ -65,7 +65,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
   }
 };
 
-const RegisteredTreeLaw<MassMatrix> registered;
+const RegisteredTreeLaw<MassMatrix> registered_mass_matrix;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -83,7 +83,7 @@ class MinimalRotation final : public SlowLaw<MinimalRotation, S> {
   }
 };
 
-const RegisteredProperty<MinimalRotation> registered;
+const RegisteredProperty<MinimalRotation> registered_minimal_rotation;
 
 }  // namespace
 }  // namespace liecheck::properties

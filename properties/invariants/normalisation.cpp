@@ -41,7 +41,7 @@ class Normalisation final : public Law<Normalisation, S> {
   }
 };
 
-const RegisteredProperty<Normalisation> registered;
+const RegisteredProperty<Normalisation> registered_normalisation;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -152,7 +152,7 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
   }
 };
 
-const RegisteredProperty<PlanarPoses> registered;
+const RegisteredProperty<PlanarPoses> registered_planar_poses;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -81,7 +81,7 @@ class PoseGroup final : public Law<PoseGroup, S> {
   }
 };
 
-const RegisteredProperty<PoseGroup> registered;
+const RegisteredProperty<PoseGroup> registered_pose_group;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -35,7 +35,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
   }
 };
 
-const RegisteredTreeLaw<PowerBalance> registered;
+const RegisteredTreeLaw<PowerBalance> registered_power_balance;
 
 }  // namespace
 }  // namespace liecheck::properties

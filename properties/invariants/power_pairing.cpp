@@ -177,7 +177,7 @@ class PowerPairing final : public Law<PowerPairing, S> {
   }
 };
 
-const RegisteredProperty<PowerPairing> registered;
+const RegisteredProperty<PowerPairing> registered_power_pairing;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -94,7 +94,7 @@ class RelativeRotation final : public SlowLaw<RelativeRotation, S> {
   }
 };
 
-const RegisteredProperty<RelativeRotation> registered;
+const RegisteredProperty<RelativeRotation> registered_relative_rotation;
 
 }  // namespace
 }  // namespace liecheck::properties

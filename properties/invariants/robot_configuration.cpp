@@ -149,7 +149,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S, RobotStates<S
   }
 };
 
-const RegisteredProperty<RobotConfiguration> registered;
+const RegisteredProperty<RobotConfiguration> registered_robot_configuration;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -86,7 +86,7 @@ class RobotDerivatives final : public Law<RobotDerivatives, S, RobotStates<S>> {
   }
 };
 
-const RegisteredProperty<RobotDerivatives> registered;
+const RegisteredProperty<RobotDerivatives> registered_robot_derivatives;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -45,7 +45,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
   }
 };
 
-const RegisteredProperty<SignContinuity> registered;
+const RegisteredProperty<SignContinuity> registered_sign_continuity;
 
 }  // namespace
 }  // namespace liecheck::properties

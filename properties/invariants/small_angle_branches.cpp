@@ -125,7 +125,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   }
 };
 
-const RegisteredProperty<SmallAngleBranches> registered;
+const RegisteredProperty<SmallAngleBranches> registered_small_angle_branches;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -127,7 +127,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
   }
 };
 
-const RegisteredTreeLaw<TreeInvariance> registered;
+const RegisteredTreeLaw<TreeInvariance> registered_tree_invariance;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -117,7 +117,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
   }
 };
 
-const RegisteredTreeLaw<TreeMomentum> registered;
+const RegisteredTreeLaw<TreeMomentum> registered_tree_momentum;
 
 }  // namespace
 }  // namespace liecheck::properties

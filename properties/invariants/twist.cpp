@@ -56,7 +56,7 @@ class Twist final : public SlowLaw<Twist, S> {
   }
 };
 
-const RegisteredProperty<Twist> registered;
+const RegisteredProperty<Twist> registered_twist;
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -11,7 +11,7 @@ namespace {
 
 using F = Feature;
 using Number = long double;  // squares of doubles are finite and normal in it
-constexpr Number pi = std::numbers::pi_v<Number>;
+constexpr Number full_pi = std::numbers::pi_v<Number>;
 
 /// max(a, b) where NaN is no number.
 double larger(double a, double b) {
@@ -73,10 +73,10 @@ class Sorter {
     }
     if (phi_) {
       const Number theta = norm(phi_, 3);
-      angle(theta, pi - theta);
+      angle(theta, full_pi - theta);
       features_[F::turn] = static_cast<double>(theta);
-      features_[F::turn_minus_pi] = static_cast<double>(theta - pi);
-      features_[F::turn_minus_two_pi] = static_cast<double>(theta - 2 * pi);
+      features_[F::turn_minus_pi] = static_cast<double>(theta - full_pi);
+      features_[F::turn_minus_two_pi] = static_cast<double>(theta - 2 * full_pi);
     } else if (quaternions_.size() > 1) {
       relative_angle(quaternions_[0], quaternions_[1]);
     } else if (!quaternions_.empty()) {

@@ -8,9 +8,6 @@
 namespace liecheck::properties {
 namespace {
 
-constexpr std::uint64_t first_cases = 1000;
-/// A trigger that fires in this share of the cases has a tenth of its cases in the first 1000.
-constexpr double common_share = 0.01;
 /// One case of this many runs on a second thread, as with two jobs.
 constexpr std::uint64_t second_thread_interval = 64;
 /// If laws measured a fault so often and always granted it, its error is below their limits. A change of less
@@ -121,14 +118,16 @@ Perturbation Lab<S>::drawn(const Operation& operation, std::size_t trigger) cons
   Source source({seed_, word, 0, 0});
   const auto number = [&](std::uint64_t n) { return static_cast<unsigned>(source.below(n)); };
   Perturbation p;
-  constexpr Change others[] = {Change::not_a_number, Change::sign, Change::whole_sign,
-                               Change::zero,         Change::swap, Change::stale};
-  p.change = source.chance(3, 5) ? Change::size : others[number(std::size(others))];
+  constexpr PlantedChange others[] = {PlantedChange::not_a_number, PlantedChange::sign,
+                                      PlantedChange::whole_sign,   PlantedChange::zero,
+                                      PlantedChange::swap,         PlantedChange::stale};
+  p.change = source.chance(3, 5) ? PlantedChange::size : others[number(std::size(others))];
   p.k = source.between(5, 50);
   p.block = number(block_names(operation).size());
   p.component = number(1 << 16);
   p.other = p.component + 1 + number(2);
-  if (p.change == Change::whole_sign && either_sign(operation, p.block)) p.change = Change::sign;
+  if (p.change == PlantedChange::whole_sign && either_sign(operation, p.block))
+    p.change = PlantedChange::sign;
   return p;
 }
 
@@ -145,10 +144,10 @@ std::vector<Fault> Lab<S>::faults() const {
         all.push_back(fault);
         continue;
       }
-      for (int change = static_cast<int>(Change::size); change <= static_cast<int>(Change::argument);
-           ++change) {
-        fault.perturbation.change = static_cast<Change>(change);
-        if (fault.perturbation.change != Change::whole_sign ||
+      for (int change = static_cast<int>(PlantedChange::size);
+           change <= static_cast<int>(PlantedChange::argument); ++change) {
+        fault.perturbation.change = static_cast<PlantedChange>(change);
+        if (fault.perturbation.change != PlantedChange::whole_sign ||
             !either_sign(*operation, fault.perturbation.block))
           all.push_back(fault);
       }

@@ -10,6 +10,10 @@
 
 namespace liecheck::properties {
 
+constexpr std::uint64_t first_cases = 1000;
+/// A trigger that fires in this share of the cases has a tenth of its cases in the first 1000.
+constexpr double common_share = 0.01;
+
 enum class Found : std::uint8_t {
   found,      ///< a law failed
   granted,    ///< laws measured the error, but it is within their limits (times kappa)

@@ -10,9 +10,6 @@
 namespace liecheck::properties {
 namespace {
 
-constexpr std::uint64_t first_cases = 1000;
-constexpr double common_share = 0.01;
-
 template <class S>
 Subject<S> subject_named(const std::string& name) {
   if (name == "look-alikes") return look_alikes<S>();

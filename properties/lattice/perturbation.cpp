@@ -45,8 +45,8 @@ std::vector<std::string> block_names(const Operation& operation) {
 
 std::string Perturbation::name() const {
   const std::string word = change_words[static_cast<std::size_t>(change)];
-  if (change == Change::size) return fmt::format("2^{} eps", k);
-  if (change == Change::argument) return fmt::format("{}, 2^{} eps", word, k);
+  if (change == PlantedChange::size) return fmt::format("2^{} eps", k);
+  if (change == PlantedChange::argument) return fmt::format("{}, 2^{} eps", word, k);
   return word;
 }
 
@@ -59,7 +59,7 @@ void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>&
   const std::size_t i = numbers[component % numbers.size()];
   S& x = result[i];
   switch (change) {
-    case Change::size: {
+    case PlantedChange::size: {
       S largest(0);
       for (const std::size_t j : numbers) largest = std::max(largest, S(std::fabs(result[j])));
       if (largest == S(0) && submatrix)  // relative to the whole matrix; other zeros stay zero
@@ -67,29 +67,29 @@ void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>&
       x += largest * std::ldexp(std::numeric_limits<S>::epsilon(), k);
       return;
     }
-    case Change::not_a_number:
+    case PlantedChange::not_a_number:
       x = std::numeric_limits<S>::quiet_NaN();
       return;
-    case Change::sign:
+    case PlantedChange::sign:
       x = -x;
       return;
-    case Change::whole_sign:
+    case PlantedChange::whole_sign:
       for (const std::size_t j : numbers) result[j] = -result[j];
       return;
-    case Change::zero:
+    case PlantedChange::zero:
       x = S(0);
       return;
-    case Change::swap:
+    case PlantedChange::swap:
       std::swap(x, result[numbers[other % numbers.size()]]);
       return;
-    case Change::stale:
+    case PlantedChange::stale:
       x = before[i];
       return;
-    case Change::unwritten:
+    case PlantedChange::unwritten:
       result = before;
       return;
-    case Change::none:
-    case Change::argument:
+    case PlantedChange::none:
+    case PlantedChange::argument:
       return;
   }
 }

@@ -8,7 +8,7 @@
 
 namespace liecheck::properties {
 
-enum class Change : std::uint8_t {
+enum class PlantedChange : std::uint8_t {
   none,          ///< for tests: changes nothing
   size,          ///< adds 2^k eps of the block's largest number to one component; to zeros, see ResultBlock
   not_a_number,  ///< one component becomes NaN
@@ -22,7 +22,7 @@ enum class Change : std::uint8_t {
 };
 inline constexpr const char* change_words[] = {"none", "size", "NaN",   "sign",      "sign of the block",
                                                "zero", "swap", "stale", "unwritten", "argument written to"};
-static_assert(std::size(change_words) == static_cast<std::size_t>(Change::argument) + 1);
+static_assert(std::size(change_words) == static_cast<std::size_t>(PlantedChange::argument) + 1);
 
 /// A part of a result that laws measure on its own, by the positions of its numbers.
 struct ResultBlock {
@@ -36,14 +36,14 @@ std::vector<ResultBlock> blocks_of(const Operation& operation, std::size_t n);
 std::vector<std::string> block_names(const Operation& operation);
 
 struct Perturbation {
-  Change change = Change::none;
+  PlantedChange change = PlantedChange::none;
   int k = 0;                          ///< for size and argument
   unsigned block = 0;                 ///< which block
   unsigned component = 0, other = 0;  ///< which numbers of it, modulo its size
 
   std::string name() const;
   /// Whether it depends on the call before.
-  bool remembers() const { return change == Change::stale || change == Change::unwritten; }
+  bool remembers() const { return change == PlantedChange::stale || change == PlantedChange::unwritten; }
 
   /// Changes the numbers of a result. `before` is the result of the call before of the same operation; if it
   /// has another size, zeros take its place.

@@ -58,7 +58,7 @@ class Watch {
         fault->perturbation.apply(result_, blocks, before.result);
         for (const ResultBlock& b : blocks) moved = std::max(moved, movement(b, computed, result_));
         if (differ(computed, result_)) set(result, result_);
-        if (fault->perturbation.change == Change::argument) write_to(arguments...);
+        if (fault->perturbation.change == PlantedChange::argument) write_to(arguments...);
       }
       before.result = std::move(computed);
     }

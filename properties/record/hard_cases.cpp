@@ -26,7 +26,7 @@ json cell_record(const HardCell& c) {
   return cell;
 }
 
-json row_record(const HardRow& row) {
+json hard_row_record(const HardRow& row) {
   const HardCase& e = *row.entry;
   return {{"name", e.name},        {"class", e.hard_class}, {"reason", e.reason},
           {"origin", e.origin},    {"place", e.place()},    {"property", row.property},
@@ -36,7 +36,7 @@ json row_record(const HardRow& row) {
 }  // namespace
 
 json record_of(const std::vector<HardRow>& rows) {
-  return list_of(rows, row_record);
+  return list_of(rows, hard_row_record);
 }
 
 void add_hard_cases(json& record, const std::vector<HardRow>& rows, bool interrupted) {

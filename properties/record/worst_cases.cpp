@@ -32,7 +32,7 @@ std::vector<Place> places_of(const CampaignResult& campaign) {
 }
 
 /// Two digits are enough for a colour.
-json rounded(double error) {
+json rounded_error(double error) {
   if (std::isnan(error)) return {};
   if (std::isinf(error)) return "inf";
   return std::strtod(fmt::format("{:.2g}", error).c_str(), nullptr);
@@ -79,7 +79,7 @@ void add_maps(json& record, const CampaignResult& campaign) {
                 {"property", m.series->property},
                 {"operation", o.operation},
                 {"block", o.block},
-                {"errors", list_of(m.errors, [](const auto& row) { return list_of(row, rounded); })}};
+                {"errors", list_of(m.errors, [](const auto& row) { return list_of(row, rounded_error); })}};
   });
 }
 

@@ -17,12 +17,12 @@ using Name = std::array<std::string, 6>;
 constexpr std::size_t most_worse = 30, most_better = 12;
 constexpr double line_height = 20, plot_width = 300, margin = 14;
 
-struct Measured {
+struct Drawn {
   const StoredSeries* series = nullptr;  ///< null: not measured
   const Row* row = nullptr;
 };
 
-Measured find(const StoredCampaign& c, const Name& n) {
+Drawn find(const StoredCampaign& c, const Name& n) {
   for (const StoredSeries& s : c.series)
     if (s.subject == n[0] && s.scalar == n[1] && s.property == n[2])
       for (const auto& [cell, row] : s.tally.rows)
@@ -42,17 +42,17 @@ Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
   Line line{
       fmt::format("{} {}, {}", n[0], n[1], n[2]), fmt::format("{}, {}, {}", n[3], n[4], n[5]), "", {}, {}};
   if (n[3].empty()) line.label = "the oracles disagree";
-  const Measured was = find(a, n), is = find(b, n);
+  const Drawn was = find(a, n), is = find(b, n);
   const bool same = was.row && is.row && was.series->tally.inputs.sum() == is.series->tally.inputs.sum();
   const bool excess = (was.row && was.row->max_excess > 0) || (is.row && is.row->max_excess > 0);
-  const auto error = [&](const Measured& m) -> std::optional<double> {
+  const auto error = [&](const Drawn& m) -> std::optional<double> {
     if (!m.row) return std::nullopt;
     return !same ? m.row->errors.quantile(0.99) : excess ? m.row->max_excess : m.row->max_error;
   };
   const auto words = [](const std::optional<double>& x) { return x ? fmt::format("{:.3g}", *x) : "-"; };
   line.before = error(was), line.after = error(is);
   if (was.row || is.row) line.figures = fmt::format("{} → {}", words(line.before), words(line.after));
-  const auto fails = [](const Measured& m) { return m.row ? m.row->failed : 0; };
+  const auto fails = [](const Drawn& m) { return m.row ? m.row->failed : 0; };
   if (fails(was) + fails(is) > 0) line.figures += fmt::format(", {} → {} fail", fails(was), fails(is));
   return line;
 }

@@ -22,7 +22,7 @@ using namespace liecheck;
 using namespace liecheck::test;
 
 template <class F>
-std::string refusal(F f) {
+std::string refusalOfData(F f) {
   try {
     f();
   } catch (const std::logic_error& e) {
@@ -54,12 +54,13 @@ TEST(Data, OfAnotherModelOrOfAnEarlierRevisionIsRefused) {
   const Vec q = neutral(m);
   EXPECT_NO_THROW(forwardKinematics(m, d, q));
   EXPECT_NO_THROW(forwardKinematics(copy, d, q));
-  EXPECT_NE(refusal([&] { forwardKinematics(other, d, q); }).find("another model"), std::string::npos);
+  EXPECT_NE(refusalOfData([&] { forwardKinematics(other, d, q); }).find("another model"), std::string::npos);
   m.addFrame({"late", 1, 0, SE3<double>::Identity(), FrameType::OP_FRAME});
-  EXPECT_NE(refusal([&] { forwardKinematics(m, d, q); }).find("before a joint, a frame or a body was added"),
-            std::string::npos);
-  EXPECT_NE(refusal([&] { updateFramePlacements(m, d); }).find("another model"), std::string::npos);
-  EXPECT_NE(refusal([&] { getJointJacobian(m, d, 1, ReferenceFrame::WORLD); }).find("another model"),
+  EXPECT_NE(
+      refusalOfData([&] { forwardKinematics(m, d, q); }).find("before a joint, a frame or a body was added"),
+      std::string::npos);
+  EXPECT_NE(refusalOfData([&] { updateFramePlacements(m, d); }).find("another model"), std::string::npos);
+  EXPECT_NE(refusalOfData([&] { getJointJacobian(m, d, 1, ReferenceFrame::WORLD); }).find("another model"),
             std::string::npos);
 }
 
@@ -69,7 +70,7 @@ TEST(Data, OfAModelThatGotAnotherBodySinceIsRefused) {
   const Vec q = neutral(m);
   crba(m, d, q);
   m.appendBodyToJoint(2, Inertia<double>(1, Vector3<double>::Zero(), Matrix3<double>::Identity()));
-  EXPECT_NE(refusal([&] { crba(m, d, q); }).find("a body was added"), std::string::npos);
+  EXPECT_NE(refusalOfData([&] { crba(m, d, q); }).find("a body was added"), std::string::npos);
 }
 
 // A field that an algorithm left unfinished must not be read as a result.
@@ -110,20 +111,22 @@ TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothSizes) {
   Data<double> d(m);
   const Vec q = neutral(m), v = Vec::Zero(m.nv);
   const std::string nv = std::to_string(m.nv), nq = std::to_string(m.nq);
-  EXPECT_EQ(refusal([&] { rnea(m, d, v, v, v); }), "q has " + nv + " numbers, the model's nq is " + nq);
-  EXPECT_EQ(refusal([&] { rnea(m, d, q, q, v); }), "v has " + nq + " numbers, the model's nv is " + nv);
-  EXPECT_EQ(refusal([&] { rnea(m, d, q, v, q); }), "a has " + nq + " numbers, the model's nv is " + nv);
-  EXPECT_EQ(refusal([&] { aba(m, d, q, v, q); }), "tau has " + nq + " numbers, the model's nv is " + nv);
+  EXPECT_EQ(refusalOfData([&] { rnea(m, d, v, v, v); }), "q has " + nv + " numbers, the model's nq is " + nq);
+  EXPECT_EQ(refusalOfData([&] { rnea(m, d, q, q, v); }), "v has " + nq + " numbers, the model's nv is " + nv);
+  EXPECT_EQ(refusalOfData([&] { rnea(m, d, q, v, q); }), "a has " + nq + " numbers, the model's nv is " + nv);
+  EXPECT_EQ(refusalOfData([&] { aba(m, d, q, v, q); }),
+            "tau has " + nq + " numbers, the model's nv is " + nv);
   const std::vector<Force<double>> two(2, Force<double>::Zero());
-  EXPECT_EQ(refusal([&] { rnea(m, d, q, v, v, two); }), "fext has 2 numbers, the model's njoints is 7");
+  EXPECT_EQ(refusalOfData([&] { rnea(m, d, q, v, v, two); }), "fext has 2 numbers, the model's njoints is 7");
 }
 
 TEST(Data, HasMatricesOfSizeNvByNvOnlyIfRequested) {
   const Model<double> m = randomModel(3, 6);
   const Vec q = neutral(m), v = Vec::Zero(m.nv);
   Data<double> none(m), mass(m, Dense::Mass);
-  EXPECT_EQ(refusal([&] { crba(m, none, q); }), "crba needs nv x nv matrices: make Data(model, Dense::Mass)");
-  EXPECT_EQ(refusal([&] { computeRNEADerivatives(m, mass, q, v, v); }),
+  EXPECT_EQ(refusalOfData([&] { crba(m, none, q); }),
+            "crba needs nv x nv matrices: make Data(model, Dense::Mass)");
+  EXPECT_EQ(refusalOfData([&] { computeRNEADerivatives(m, mass, q, v, v); }),
             "computeRNEADerivatives needs nv x nv matrices: make Data(model, Dense::Derivatives)");
   EXPECT_EQ(none.M.scratch().size(), 0);
 }
@@ -133,7 +136,7 @@ TEST(Data, AStaleFieldNamesTheMissingCall) {
   Random random(3);
   const State s = randomState(m, random), other = randomState(m, random);
   Data<double> d(m, Dense::Mass);
-  EXPECT_EQ(refusal([&] { d.tau.checked(); }),
+  EXPECT_EQ(refusalOfData([&] { d.tau.checked(); }),
             "Data::tau was never computed: call rnea(model, data, q, v, a) first");
   crba(m, d, s.q);
   nonLinearEffects(m, d, s.q, s.v);
@@ -141,7 +144,7 @@ TEST(Data, AStaleFieldNamesTheMissingCall) {
   nonLinearEffects(m, d, s.q, other.v);
   EXPECT_NO_THROW(d.M.checked());  // it does not depend on v
   forwardKinematics(m, d, s.q, s.v);
-  EXPECT_EQ(refusal([&] { d.nle.checked(); }),
+  EXPECT_EQ(refusalOfData([&] { d.nle.checked(); }),
             "Data::nle belongs to an earlier state: call nonLinearEffects(model, data, q, v) first");
   forwardKinematics(m, d, other.q);
   EXPECT_FALSE(d.M.isFresh());
@@ -197,7 +200,7 @@ TEST(Data, AnotherGravityOrArmatureMakesTheFieldsStaleThatDependOnIt) {
   forwardKinematics(m, d, s.q);
   EXPECT_EQ(staleFields(d),
             (Names{"f", "tau", "nle", "g", "tau_static", "ddq", "dtau_dq", "ddq_dq", "potential_energy"}));
-  EXPECT_EQ(refusal([&] { d.tau.checked(); }),
+  EXPECT_EQ(refusalOfData([&] { d.tau.checked(); }),
             "Data::tau was computed with another gravity or armature: call rnea(model, data, q, v, a) first");
   everything();
   EXPECT_EQ(staleFields(d), Names());
@@ -205,7 +208,7 @@ TEST(Data, AnotherGravityOrArmatureMakesTheFieldsStaleThatDependOnIt) {
   forwardKinematics(m, d, s.q);
   EXPECT_EQ(staleFields(d), (Names{"tau", "ddq", "M", "Minv", "ddq_dq", "ddq_dv", "kinetic_energy"}));
   m.armature.resize(2);
-  EXPECT_EQ(refusal([&] { forwardKinematics(m, d, s.q); }),
+  EXPECT_EQ(refusalOfData([&] { forwardKinematics(m, d, s.q); }),
             "armature has 2 numbers, the model's nv is " + std::to_string(m.nv));
 }
 
@@ -271,7 +274,7 @@ TEST(Data, ACopyHasTheResultsOfTheOriginalAndAStateOfItsOwn) {
   assigned = *c, move_assigned = std::move(*d);
   independent(std::move(a), constructed), independent(std::move(b), from_moved);
   independent(std::move(c), assigned), independent(std::move(d), move_assigned);
-  EXPECT_NE(refusal([&] { forwardKinematics(other, assigned, neutral(other)); }).find("another model"),
+  EXPECT_NE(refusalOfData([&] { forwardKinematics(other, assigned, neutral(other)); }).find("another model"),
             std::string::npos);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using O = Operations<double>;
 
-const O& own() {
+const O& own_operations() {
   for (const auto* s : subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
@@ -33,20 +33,20 @@ const Registered<double> planted[] = {
     Registered<double>(with("verdict_inaccurate",
                             [](O& o) {
                               o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
-                                return own()[op::log3_quaternion](Q) * (1 + 1e-14);
+                                return own_operations()[op::log3_quaternion](Q) * (1 + 1e-14);
                               };
                             })),
     Registered<double>(with("verdict_wrong_branch",
                             [](O& o) {  // the same rotation, theta > pi
                               o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
-                                const O::V3 phi = own()[op::log3_quaternion](Q);
+                                const O::V3 phi = own_operations()[op::log3_quaternion](Q);
                                 return phi * (1 - 2 * M_PI / phi.norm());
                               };
                             })),
     Registered<double>(with("verdict_sign",
                             [](O& o) {
                               o[op::integrate] = [](const O::V7& q, const O::V6& d) {
-                                O::V7 r = own()[op::integrate](q, d);
+                                O::V7 r = own_operations()[op::integrate](q, d);
                                 if (r[6] < 0) r.tail<4>() *= -1;
                                 return r;
                               };
@@ -63,7 +63,7 @@ const Registered<double> planted[] = {
     Registered<double>(with("verdict_exp6_refused",
                             [](O& o) {
                               o[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
-                                return own()[op::exp3_quaternion](phi);
+                                return own_operations()[op::exp3_quaternion](phi);
                               };
                               o[op::exp6] = [](const O::V6&) -> Pose<double> {
                                 throw CallFailed("too far", op::exp6.name, Outcome::refused);

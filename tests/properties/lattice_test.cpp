@@ -90,19 +90,19 @@ TEST(Perturbations, ChangeTheBlockAndTheComponentThatTheyName) {
     Perturbation{change, 10, 0, 2, 3}.apply(x, blocks, before);
     return x;
   };
-  EXPECT_EQ(after(Change::none), result);
-  EXPECT_EQ(after(Change::size), (std::vector<double>{1, -8, 2 + 8 * 0x1p-42, 3, 4, 5}));
-  EXPECT_EQ(after(Change::sign), (std::vector<double>{1, -8, -2, 3, 4, 5}));
-  EXPECT_EQ(after(Change::whole_sign), (std::vector<double>{-1, 8, -2, 3, 4, 5}));
-  EXPECT_EQ(after(Change::zero), (std::vector<double>{1, -8, 0, 3, 4, 5}));
-  EXPECT_EQ(after(Change::swap), (std::vector<double>{2, -8, 1, 3, 4, 5}));
-  EXPECT_EQ(after(Change::stale), (std::vector<double>{1, -8, 9, 3, 4, 5}));
-  EXPECT_EQ(after(Change::unwritten), before);
-  EXPECT_TRUE(std::isnan(after(Change::not_a_number)[2]));
+  EXPECT_EQ(after(PlantedChange::none), result);
+  EXPECT_EQ(after(PlantedChange::size), (std::vector<double>{1, -8, 2 + 8 * 0x1p-42, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::sign), (std::vector<double>{1, -8, -2, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::whole_sign), (std::vector<double>{-1, 8, -2, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::zero), (std::vector<double>{1, -8, 0, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::swap), (std::vector<double>{2, -8, 1, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::stale), (std::vector<double>{1, -8, 9, 3, 4, 5}));
+  EXPECT_EQ(after(PlantedChange::unwritten), before);
+  EXPECT_TRUE(std::isnan(after(PlantedChange::not_a_number)[2]));
 }
 
 TEST(Perturbations, AddNothingToAVectorOfZerosButToThoseOfAMatrix) {
-  const Perturbation size{Change::size, 10, 0, 0, 1};
+  const Perturbation size{PlantedChange::size, 10, 0, 0, 1};
   std::vector<double> twist{0, 0, 0, 3, 4, 5};
   size.apply(twist, blocks_of(op::log6, 6), {});
   EXPECT_EQ(twist, (std::vector<double>{0, 0, 0, 3, 4, 5}));
@@ -130,7 +130,7 @@ TEST(Lattice, ABaseWithoutAFaultIsNeverFound) {
   EXPECT_EQ(lab.failures_of_base(), 0);
   for (Fault fault : lab.faults()) {
     if (triggers()[fault.trigger].feature != F::one) continue;
-    fault.perturbation.change = Change::none;
+    fault.perturbation.change = PlantedChange::none;
     const FaultVerdict verdict = lab.judge(fault);
     EXPECT_EQ(verdict.found, Found::unchanged) << fault.operation->name << " by " << verdict.by;
     EXPECT_EQ(verdict.share, 1) << fault.operation->name;
@@ -164,7 +164,7 @@ TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
   const auto table = with({"test", "theta in [1.1, 1.2)", F::theta, 1.1, 1.2});
   Lab<double> lab(liecheck_subject(), table, 5, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(1000));
-  const Fault fault{&op::exp6, table.size() - 1, {Change::size, 22, 1, 0, 1}};
+  const Fault fault{&op::exp6, table.size() - 1, {PlantedChange::size, 22, 1, 0, 1}};
   const FaultVerdict verdict = lab.judge(fault);
 
   Subject<double> faulty{"faulty", "", {}};
@@ -232,7 +232,7 @@ TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
   Lab<double> lab(base, triggers(), 1, built_in_robot());
   ASSERT_TRUE(lab.scan(100));
   EXPECT_GT(lab.failures_of_base(), 0.4);
-  const Perturbation size{Change::size, 20, 0, 0, 1};
+  const Perturbation size{PlantedChange::size, 20, 0, 0, 1};
   EXPECT_EQ(lab.judge({&op::exp3_quaternion, 0, size}).found, Found::found);
 }
 
@@ -240,7 +240,7 @@ TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
   const std::vector<Trigger>& table = triggers();
   Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(200));
-  const FaultVerdict verdict = lab.judge({&op::exp6, 0, {Change::size, 0, 1, 0, 1}});  // 1 eps
+  const FaultVerdict verdict = lab.judge({&op::exp6, 0, {PlantedChange::size, 0, 1, 0, 1}});  // 1 eps
   EXPECT_EQ(verdict.found, Found::granted) << verdict.by;
 }
 

@@ -115,7 +115,7 @@ class Clone {
 /// The commands of the blocks "sh" of a page, each with the folder in which it runs.
 std::vector<std::pair<std::string, std::string>> commands_of(const std::string& page) {
   std::vector<std::pair<std::string, std::string>> all;
-  for (const Block& b : blocks_of(page)) {
+  for (const CodeBlock& b : blocks_of(page)) {
     if (b.language != "sh") continue;
     std::string in = ".";
     std::istringstream lines(replaced(b.text, "\\\n", ""));
@@ -152,7 +152,7 @@ std::vector<std::string> wrong_commands(const Clone& clone, const std::string& p
 
 TEST(PageCommands, RunAndHaveTheirExitCode) {
   const Clone clone;
-  for (const Block& b : blocks_of(read("docs/limits.md")))
+  for (const CodeBlock& b : blocks_of(read("docs/limits.md")))
     if (b.text.starts_with("# mylib.limits"))
       clone.write("mylib.limits", replaced(b.text, "= mylib", "= textbook"));
   std::set<std::string> used;
@@ -181,8 +181,8 @@ TEST(PageCommands, ThatFailAreFound) {
 
 TEST(PageCommands, TheReadmesProgramIsCompiledByItsLineAndPrintsWhatItShows) {
   const Clone clone;
-  const std::vector<Block> all = blocks_of(read("README.md"));
-  const auto at = std::ranges::find(all, "cpp", &Block::language);
+  const std::vector<CodeBlock> all = blocks_of(read("README.md"));
+  const auto at = std::ranges::find(all, "cpp", &CodeBlock::language);
   ASSERT_GE(all.end() - at, 3);
   clone.write("free_fall.cpp", at[0].text);
   EXPECT_EQ(clone.run(".", at[1].text), std::pair(0, at[2].text));
@@ -200,7 +200,7 @@ TEST(PageCommands, TheReadmesProgramIsCompiledByItsLineAndPrintsWhatItShows) {
 TEST(PageCommands, PartsOfProgramsCompile) {
   const Clone clone;
   const auto block = [](const std::string& page, const std::string& begin) {
-    for (const Block& b : blocks_of(read(page)))
+    for (const CodeBlock& b : blocks_of(read(page)))
       if (b.language == "cpp" && b.text.starts_with(begin)) return b.text;
     ADD_FAILURE() << page;
     return std::string();

@@ -34,11 +34,11 @@ inline std::string replaced(std::string text, const std::string& what, const std
 }
 
 /// A block of a page between ``` and ```.
-struct Block {
+struct CodeBlock {
   std::string language, text;
 };
-inline std::vector<Block> blocks_of(const std::string& page) {
-  std::vector<Block> all;
+inline std::vector<CodeBlock> blocks_of(const std::string& page) {
+  std::vector<CodeBlock> all;
   std::istringstream lines(page);
   bool inside = false;
   for (std::string line; std::getline(lines, line);)

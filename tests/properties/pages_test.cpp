@@ -87,7 +87,7 @@ std::string first_missing(const std::string& shown, const std::string& printed) 
 std::vector<std::string> wrong_outputs(const std::string& page, int* commands = nullptr) {
   const std::string begin = "$ build/release/bin/liecheck ";
   std::vector<std::string> wrong;
-  for (const Block& b : blocks_of(page)) {
+  for (const CodeBlock& b : blocks_of(page)) {
     if (b.language != "text" || !b.text.starts_with(begin)) continue;
     const auto end = b.text.find('\n');
     const std::string arguments = b.text.substr(begin.size(), end - begin.size());
@@ -121,7 +121,7 @@ std::pair<std::string, std::string> programs_and_outputs(const std::vector<std::
   int n = 0;
   for (const std::string& name : names) {
     bool shown = true;
-    for (const Block& b : blocks_of(read(name)))
+    for (const CodeBlock& b : blocks_of(read(name)))
       if (b.language == "cpp" && b.text.find("int main()") != b.text.npos) {
         const std::string function = "program_" + std::to_string(++n);
         programs += replaced(b.text, "int main()", "void " + function + "()");

@@ -148,6 +148,20 @@ TEST(ClosedLoops, WeldRotationsToo) {
   }
 }
 
+TEST(ClosedLoops, ThatAreOpenAtTheStartAreWarnedAbout) {
+  const auto warnings = [](const std::string& initial) {
+    std::vector<std::string> all;
+    loadSceneText(tied("", initial), "s.yaml", ".", &all);
+    return all;
+  };
+  EXPECT_TRUE(warnings("position: [1, 2.0009, 3]").empty());
+  const auto open = warnings("position: [1, 2.2, 3]");
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0],
+            "s.yaml:4: the loop of 'body' and 'hook' is open by 0.200000 m at the start: give initial joints "
+            "that close it");
+}
+
 TEST(ClosedLoops, RefuseWhatIsNoLoop) {
   EXPECT_THROW(Recorded(tied(", frames: body", "")), SceneError);
   const std::string odd =

@@ -54,7 +54,7 @@ struct TiedRods {
   }
 };
 
-std::string tied(const std::string& effects, const std::string& method) {
+std::string tiedRods(const std::string& effects, const std::string& method) {
   return "robot: {urdf: tied_rods.urdf, root: fixed}\ninitial: {joints: {hip: 1.2}, joint_velocities: {hip: "
          "0.5}}\n"
          "effects: [gravity" +
@@ -64,7 +64,8 @@ std::string tied(const std::string& effects, const std::string& method) {
 
 TEST(Mimic, MovesAsTheRobotWhoseTieIsEliminatedByHand) {
   for (const double damping : {0.0, 0.4}) {
-    const Recorded run(tied(damping > 0 ? ", joint_damping: {coefficient: 0.4}" : "", "gauss6, step: 5 ms"));
+    const Recorded run(
+        tiedRods(damping > 0 ? ", joint_damping: {coefficient: 0.4}" : "", "gauss6, step: 5 ms"));
     ASSERT_EQ(run.scene.model.nv, 1);
     double x = 1.2, v = 0.5;
     for (std::size_t i = 1; i < run["t"].size(); ++i) {
@@ -87,11 +88,11 @@ TEST(Mimic, MovesAsTheRobotWhoseTieIsEliminatedByHand) {
 }
 
 TEST(Mimic, KeepsItsEnergyToRounding) {
-  EXPECT_LE(Recorded(tied("", "gauss12, step: 10 ms")).figure("largest change of energy"), 1e-13);
+  EXPECT_LE(Recorded(tiedRods("", "gauss12, step: 10 ms")).figure("largest change of energy"), 1e-13);
 }
 
 TEST(Mimic, IsAccusedOfNothingByTheEstimate) {
-  const auto s = loadSceneText(tied("", "rkmk4, step: 5 ms"), "s.yaml", LIECHECK_FIXTURES "/scenes");
+  const auto s = loadSceneText(tiedRods("", "rkmk4, step: 5 ms"), "s.yaml", LIECHECK_FIXTURES "/scenes");
   const auto run = scene::run(s, {}, true);
   ASSERT_TRUE(run.estimate);
   EXPECT_TRUE(run.estimate->alarms.empty());

@@ -1,7 +1,7 @@
 #!/bin/sh
 # overhead.sh PROGRAM URDF FOOT,... counts instructions per step with valgrind. It fails
 # - if a scene's run takes more instructions than `limit` times a loop written by hand for it, or gives other bits.
-#   It is 1.02. Two trees with forces do not reach it (gcc 12: 1.027 and 1.053), so that their limits only keep what is
+#   It is 1.02. Two trees with forces are above it (gcc 12: 1.0200 and 1.040), so that their limits only keep what is
 #   reached: a scene keeps the state before a step, from which it locates an event, where the loop only notices it,
 #   has a function for each force, where the loop has one for all, and its contact knows other shapes than points;
 # - if the free body takes over 0.11 of what the equations of articulated bodies take for it;
@@ -34,7 +34,7 @@ explained() {  # arguments: scene, valgrind's count
 for scene in free dragged floating arm standing; do
   [ "$("$PROGRAM" hand $scene 300 "$URDF" "$FEET")" = "$("$PROGRAM" scene $scene 300 "$URDF" "$FEET")" ] ||
     { echo "$scene: the bits differ"; status=1; }
-  case $scene in arm) limit=1.03 ;; standing) limit=1.06 ;; *) limit=1.02 ;; esac
+  case $scene in arm) limit=1.025 ;; standing) limit=1.045 ;; *) limit=1.02 ;; esac
   steps=$(step scene $scene 100 400)
   compare $scene "a scene" "$steps" "the loop by hand" "$(step hand $scene 100 400)" 0 $limit
   explained $scene "$steps"

@@ -120,7 +120,7 @@ TEST(SavedRun, IsRefusedWhereAnObserverReadsEveryStep) {
   EXPECT_THROW(scene::run(s, {}, false, {[](const scene::SavedRun&) {}, nullptr, 1}), std::invalid_argument);
 }
 
-std::string file(const std::string& name, const std::string& text) {
+std::string scratchFile(const std::string& name, const std::string& text) {
   const std::string path = liecheck::scratch() + name;
   std::ofstream(path) << text;
   return path;
@@ -141,7 +141,7 @@ std::pair<int, std::string> program(const std::string& arguments) {
 }
 
 TEST(SavedRunOfTheProgram, ThatASignalStoppedIsResumedToTheSameCsv) {
-  const std::string scene = file(
+  const std::string scene = scratchFile(
       "saved.yaml",
       "robot: {body: box, size: [1, 2, 3]}\ninitial: {angular_velocity: [0.3, 1, 0.2]}\neffects: [gravity]\n"
       "integrator: {name: rkmk4, step: 1 ms}\nduration: 3000 s\noutput: {every: 1 s}\n"
@@ -159,11 +159,11 @@ TEST(SavedRunOfTheProgram, ThatASignalStoppedIsResumedToTheSameCsv) {
 }
 
 TEST(SavedRunOfTheProgram, ThatIsNoneOfTheSceneIsRefusedInOneLine) {
-  const std::string scene =
-                        file("other.yaml",
-                             "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
-                             "duration: 1 s\nobservers: [energy]\n"),
-                    text = file("no.checkpoint", "t\n0\n");
+  const std::string scene = scratchFile(
+                        "other.yaml",
+                        "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
+                        "duration: 1 s\nobservers: [energy]\n"),
+                    text = scratchFile("no.checkpoint", "t\n0\n");
   const auto [code, said] = program("run " + scene + " --resume " + text);
   EXPECT_EQ(code, 2);
   EXPECT_EQ(said,
@@ -172,9 +172,9 @@ TEST(SavedRunOfTheProgram, ThatIsNoneOfTheSceneIsRefusedInOneLine) {
 
 TEST(TruthOfAScene, IsRefusedByEveryCommandIfItIsNotThatOfTheMotion) {
   const std::string scene =
-      file("truth.yaml",
-           "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
-           "duration: 1 s\ntruth: pendulum\n");
+      scratchFile("truth.yaml",
+                  "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
+                  "duration: 1 s\ntruth: pendulum\n");
   for (const char* command : {"run ", "explain ", "sweep --no-peers "}) {
     const auto [code, said] = program(command + scene);
     EXPECT_EQ(code, 2) << command;

@@ -134,8 +134,9 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene is given twice: keep one"},
       {7, "truth: [a", "s.yaml:8: is not YAML: end of sequence flow not found"},
       {7, "actuation: [pd: {stiffness: 1}]", "s.yaml:7: pd needs 'damping' [N m s/rad|N s/m]: d"},
-      {7, "actuation: [table: {times: [0, 0], forces: [1, 2]}]",
-       "s.yaml:7: table.times[1] is not after the time before it: times must increase"},
+      {7, "actuation: [table: {times: [1, 0], forces: [1, 2]}]",
+       "s.yaml:7: table.times[1] is before the time before it: write the times in order, and a time twice "
+       "for a jump"},
       {7, "actuation: [table: {joints: root_joint, times: [0, 1], forces: [1]}]",
        "s.yaml:7: a table of 2 times and 1 forces: give one force for each time"},
       {7, "frames: [{name: body, on: body}]",
@@ -318,22 +319,22 @@ TEST(Fixtures, TheReadmeContainsTheSchema) {
 }
 
 /// The exit code of the program, and its output on both streams.
-std::pair<int, std::string> program(const std::string& arguments) {
+std::pair<int, std::string> printed(const std::string& arguments) {
   std::FILE* pipe = ::popen(("(" + std::string(LIECHECK_PROGRAM) + " " + arguments + ") 2>&1").c_str(), "r");
   std::string said;
   for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said += char(c);
   const int status = ::pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
-std::string file(const std::string& name, const std::string& text) {
+std::string written(const std::string& name, const std::string& text) {
   const std::string path = liecheck::scratch() + name;
   std::ofstream(path) << text;
   return path;
 }
 
 TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
-  const std::string path = file("bad.yaml", with(3, "effects: [gravty]"));
-  const auto [code, said] = program("scene run " + path);
+  const std::string path = written("bad.yaml", with(3, "effects: [gravty]"));
+  const auto [code, said] = printed("scene run " + path);
   EXPECT_EQ(code, 2);
   EXPECT_EQ(said,
             "liecheck: " + path +
@@ -342,7 +343,7 @@ TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
 
 TEST(Program, ComparesTheEndWithTheClosedFormThatTheSceneNames) {
   const auto run = [](const std::string& name, const std::string& text) {
-    return program("scene run " + file(name, text));
+    return printed("scene run " + written(name, text));
   };
   const std::string swing =
       "robot: {body: box, root: revolute, axis: [1, 0, 0], size: [0.02, 0.02, 1], centre: [0, 0, -0.5]}\n"
@@ -373,11 +374,11 @@ TEST(Program, ComparesTheEndWithTheClosedFormThatTheSceneNames) {
 TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
   const std::string csv = liecheck::scratch() + "diverging.csv";
   const std::string path =
-      file("diverging.yaml",
-           "robot: {body: ball, root: prismatic, radius: 1}\ninitial: {joints: {root_joint: 1 m}}\n"
-           "effects: [joint_spring: {stiffness: 1e6 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
-           "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
-  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+      written("diverging.yaml",
+              "robot: {body: ball, root: prismatic, radius: 1}\ninitial: {joints: {root_joint: 1 m}}\n"
+              "effects: [joint_spring: {stiffness: 1e6 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
+              "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
+  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find("diverged at step "), std::string::npos) << said;
   EXPECT_NE(said.find("a number is no longer finite"), std::string::npos) << said;
@@ -392,7 +393,7 @@ TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
   EXPECT_GT(lines, 10);
 }
 
-std::string chain(const std::string& integrator) {
+std::string chainOf(const std::string& integrator) {
   return "robot: {urdf: " + (scenes / "chain.urdf").string() +
          "}\ninitial: {angular_velocity: [0.5, 1, 0.2], joint_velocities: {hinge1: 1, hinge2: -2, hinge3: "
          "1.5}}\n"
@@ -403,12 +404,12 @@ std::string chain(const std::string& integrator) {
 TEST(Program, ARunDivergesIfAnObservedNumberIsNotFinite) {
   // so heavy that its energy overflows one step before its state does
   const std::string csv = liecheck::scratch() + "overflow.csv";
-  const std::string path = file(
+  const std::string path = written(
       "overflow.yaml",
       "robot: {body: ball, root: prismatic, radius: 1, mass: 1e6}\ninitial: {joints: {root_joint: 1 m}}\n"
       "effects: [joint_spring: {stiffness: 1e12 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
       "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
-  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find(" is no longer finite"), std::string::npos) << said;
   EXPECT_EQ(said.find("a number is"), std::string::npos) << said;  // the message names the number
@@ -429,34 +430,36 @@ TEST(Program, ARunDivergesIfAnObservedNumberIsNotFinite) {
             std::string::npos)
       << said;
   // A scene that is not finite at the start is refused.
-  const std::string fast = file("fast.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
-  const auto [refused, why] = program("scene run " + fast);
+  const std::string fast = written("fast.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
+  const auto [refused, why] = printed("scene run " + fast);
   EXPECT_EQ(refused, 2) << why;
   EXPECT_NE(why.find(fast + ": at the start kinetic is not a finite number"), std::string::npos) << why;
   // A change whose square overflows is still finite.
   const auto [coarse, figures] =
-      program("scene run " + file("coarse.yaml", chain("{name: rkmk4, step: 2.5 s}")));
+      printed("scene run " + written("coarse.yaml", chainOf("{name: rkmk4, step: 2.5 s}")));
   EXPECT_EQ(coarse, 1) << figures;
   EXPECT_NE(figures.find("energy changes by more than 1 %"), std::string::npos) << figures;
   EXPECT_EQ(figures.find(" inf "), std::string::npos) << figures;
 }
 
 TEST(Program, ARotationBeyondPiInAStepIsAWarningUnlessTheMethodChoosesItsSteps) {
-  const auto [code, said] = program("scene run " + file("turns.yaml", chain("{name: rkmk4, step: 2.5 s}")));
+  const auto [code, said] =
+      printed("scene run " + written("turns.yaml", chainOf("{name: rkmk4, step: 2.5 s}")));
   EXPECT_NE(said.find("beyond pi"), std::string::npos) << said;
-  const auto [code2, said2] = program("scene run " + file("own.yaml", chain("{name: dopri5, step: 2.5 s}")));
+  const auto [code2, said2] =
+      printed("scene run " + written("own.yaml", chainOf("{name: dopri5, step: 2.5 s}")));
   EXPECT_EQ(code2, 0) << said2;
   EXPECT_EQ(said2.find("warning"), std::string::npos) << said2;
 }
 
 TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
-  const std::string path = file("apart.yaml", with(5, "duration: 10 ms")),
+  const std::string path = written("apart.yaml", with(5, "duration: 10 ms")),
                     out = liecheck::scratch() + "apart.out";
-  const auto [own, why] = program("scene run " + path + " --csv " + path);
+  const auto [own, why] = printed("scene run " + path + " --csv " + path);
   EXPECT_EQ(own, 2);
   EXPECT_NE(why.find(path + " is the scene itself"), std::string::npos) << why;
-  EXPECT_EQ(program("scene run " + path).first, 0);  // the scene was not overwritten
-  const auto [both, why_both] = program("scene run " + path + " --csv " + out + " --json " + out);
+  EXPECT_EQ(printed("scene run " + path).first, 0);  // the scene was not overwritten
+  const auto [both, why_both] = printed("scene run " + path + " --csv " + out + " --json " + out);
   EXPECT_EQ(both, 2);
   EXPECT_NE(why_both.find("would replace the file of --csv"), std::string::npos) << why_both;
   EXPECT_FALSE(fs::exists(out));
@@ -464,9 +467,9 @@ TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
 
 TEST(Program, AColumnNameWithACommaIsQuotedInTheCsv) {
   const std::string csv = liecheck::scratch() + "quoted.csv";
-  const std::string path = file(
+  const std::string path = written(
       "quoted.yaml", with(6, "frames: [{name: 'a,\"b', on: body}]\nobservers: [frame: {frame: 'a,\"b'}]"));
-  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
   EXPECT_EQ(code, 0) << said;
   std::ifstream rows(csv);
   std::string head;
@@ -484,7 +487,7 @@ TEST(Program, StopsAtASignalWhereverTheRunIs) {
     std::string scene = with(std::size_t(line), text);
     if (line == 4) scene += "output: {every: 1 s}\n";
     if (std::string(name) == "own.yaml") scene.replace(scene.find("[0, 0, 1]"), 9, "[1e6, 1e6, 1]");
-    const auto [code, said] = program("scene run " + file(name, scene) +
+    const auto [code, said] = printed("scene run " + written(name, scene) +
                                       " & p=$!; (sleep 3; kill -KILL $p) > /dev/null 2>&1 & sleep 0.5; "
                                       "kill -TERM $p; wait $p");
     EXPECT_EQ(code, 3) << name << said;
@@ -492,24 +495,24 @@ TEST(Program, StopsAtASignalWhereverTheRunIs) {
   }
   std::string scene = with(4, "integrator: {name: dopri5, tolerance: 1e-8}");
   scene.replace(scene.find("[0, 0, 1]"), 9, "[1e100, 1e100, 1]");
-  const auto [code, said] = program("scene run " + file("lost.yaml", scene));
+  const auto [code, said] = printed("scene run " + written("lost.yaml", scene));
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find("no step is small enough for the tolerance"), std::string::npos) << said;
 }
 
 TEST(Program, AStopSignalWritesTheSamplesAndExitsWithThree) {
   const std::string csv = liecheck::scratch() + "stopped.csv";
-  const std::string path = file("long.yaml", with(5, "duration: 20000 s"));
+  const std::string path = written("long.yaml", with(5, "duration: 20000 s"));
   // SIGTERM, because the background jobs of a shell ignore SIGINT
   const auto [code, said] =
-      program("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
+      printed("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << said;
   EXPECT_TRUE(fs::exists(csv));
 }
 
 TEST(Program, ExplainsThePlan) {
-  const auto [code, said] = program("scene explain " + (scenes / "dzhanibekov_1e-6.yaml").string());
+  const auto [code, said] = printed("scene explain " + (scenes / "dzhanibekov_1e-6.yaml").string());
   EXPECT_EQ(code, 0);
   for (const char* part :
        {"a lone rigid body", "rigid-body equations", "gravity", "articulated bodies", "left out"})

@@ -77,6 +77,38 @@ TEST(ForceTable, WithRowsGivesTheImpulseOfItsInterpolation) {
   EXPECT_NEAR(speed(", interpolation: cubic"), 4 * 8. / 3 / 2, 1e-13);  // f = 4 t^2
 }
 
+TEST(ForceTable, WithTwoRowsAtOneTimeJumpsThere) {
+  const Recorded run(
+      rail + "actuation: [table: {rows: [[0, 3], [0.55, 3], [0.55, -1], [1.5, -1], [1.5, 0]]}]\n" + end);
+  EXPECT_NEAR(run["v.root_joint"].back(), (0.55 * 3 - 0.95) / 2, 1e-14);
+  EXPECT_NEAR(run["q.root_joint"].back(),
+              (3 * 0.55 * 0.55 / 2 + 3 * 0.55 * 1.45 - 0.95 * 0.95 / 2 - 0.95 * 0.5) / 2, 1e-14);
+}
+
+TEST(Samples, ShowTheForcesJustBeforeThem) {
+  const std::string force = "effects: [wrench: {frame: body, force: [4, 0, 0], from: 1 s, until: 2 s}]\n";
+  const std::vector<double> a = Recorded(rail + force + end)["a.root_joint"];
+  ASSERT_EQ(a.size(), 21u);
+  for (std::size_t i = 0; i <= 20; ++i) EXPECT_EQ(a[i], i > 10 ? 2 : 0) << i;
+  // A trajectory that ends with the run keeps its rate until then.
+  const Recorded pd(
+      rail +
+      "initial: {joint_velocities: {root_joint: 0.5}}\nactuation: [pd: {stiffness: 50, damping: "
+      "20, rows: [[0 s, 0], [1, 0.5], [2, 1]], interpolation: cubic}]\n" +
+      end);
+  EXPECT_NEAR(pd["a.root_joint"].back(), 0, 1e-13);
+}
+
+TEST(PdTarget, MayBeOneNumber) {
+  const auto last = [](const std::string& target) {
+    return Recorded(rail + "actuation: [pd: {stiffness: 50, damping: 20, target: " + target + "}]\n" +
+                    end)["q.root_joint"]
+        .back();
+  };
+  EXPECT_EQ(last("30 cm"), last("[0.3]"));
+  EXPECT_GT(last("30 cm"), 0.2);
+}
+
 TEST(WrenchTable, AddsForcesAndMomentsOverTime) {
   const std::string ball =
       "robot: {body: body, mass: 2, moments: [1, 1, 1]}\neffects: [wrench: {frame: body, axes: ";
@@ -130,8 +162,8 @@ TEST_F(Csv, IsRefusedWithFileLineAndValue) {
   };
   write("t,x\n0,1\n1,oops\n");
   expect(refusal(), name + ":3: column 'x': 'oops' is not a number");
-  write("t,x\n0,1\n0,2\n");
-  expect(refusal(), name + ":3: the time '0' is not after the time before it");
+  write("t,x\n1,1\n0,2\n");
+  expect(refusal(), name + ":3: the time '0' is before the time before it");
   write("t,x\n0,1\n1,2,3\n");
   expect(refusal(), name + ":3: has 3 columns, and the first line has 2");
   write("t,x\n0,1\n1,nan\n");
@@ -156,7 +188,9 @@ TEST(Tables, AreRefusedInOneLine) {
     return "";
   };
   const std::string pd = "pd: {stiffness: 1, damping: 1, ";
-  EXPECT_NE(refusal(pd + "rows: [[0, 1], [0, 2]]}").find("rows[1] is not after"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: [[1, 1], [0, 2]]}").find("rows[1] is before"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: [[0, 1], [0, 2]], interpolation: cubic}").find("has no cubic interpolation"),
+            std::string::npos);
   EXPECT_NE(refusal(pd + "rows: [[0, 1], [1]]}").find("rows[1] is a time and 1 numbers"), std::string::npos);
   EXPECT_NE(refusal(pd + "rows: 3}").find("is a list of rows"), std::string::npos);
   EXPECT_NE(refusal(pd + "rows: [[0, 1]], target: [1]}").find("keep one"), std::string::npos);

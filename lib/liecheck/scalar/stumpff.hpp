@@ -234,21 +234,18 @@ struct InverseCoefficient {
 };
 
 /// Taylor's series in double for theta^2 = x <= 2^-8, for loops that meet hardly any other angle, such as the steps of
-/// an integrator. Relative errors of what is left out: sine_over_angle and cosine below 2^-55, d below 2^-40, so that
-/// d [phi]^2 omega has an error below 0.9 eps |omega|.
+/// an integrator: sin(theta/2) / theta, cos(theta/2), and d of InverseCoefficient. Relative errors of what is left out:
+/// below 2^-55 of the first two, and below 2^-40 of d, so that d [phi]^2 omega has an error below 0.9 eps |omega|.
 struct SmallAngle {
   static constexpr double largest = 0x1p-8;  ///< of x
-  /// sin(theta/2) / theta.
   [[gnu::always_inline]] static double sine_over_angle(double x) {
     const double y = x / 4;
     return 0.5 - y * (1. / 12 - y * (1. / 240 - y * (1. / 10080)));
   }
-  /// cos(theta/2).
   [[gnu::always_inline]] static double cosine(double x) {
     const double y = x / 4;
     return 1 - y * (0.5 - y * (1. / 24 - y * (1. / 720)));
   }
-  /// d of InverseCoefficient.
   [[gnu::always_inline]] static double inverse(double x) {
     return 1. / 12 + x * (1. / 720 + x * (1. / 30240));
   }

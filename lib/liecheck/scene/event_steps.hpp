@@ -5,7 +5,9 @@
 //   counts as that end.
 // - Changes of sign of switching functions (switches.hpp). A step that ends beyond one is taken again with a
 //   shorter length, which the secant method with bisection (Illinois; Dowell & Jarratt 1971) finds to 4 eps of
-//   the time. The state then lies beyond the change by a rounding error, and the branch changes. If only a
+//   the time, or sqrt(eps)/16 of the step if that is more. The state then lies beyond the change by that much, and the
+//   branch changes. A force is continuous where its branch changes, so that a change that is late by d moves the
+//   velocity by O(d^2); a state that is nearer to the change could cross it again by the rounding errors of positions. If only a
 //   stage lies beyond one, or the step fails, the step is halved, at most four times; an adaptive method, whose
 //   steps may contain many events, halves it at most twenty times.
 //
@@ -60,6 +62,11 @@ class EventSteps {
   }
 
  private:
+  /// The length to which an event in a step of h is located.
+  static S resolution(const S& t, const S& h) {
+    using std::sqrt;
+    return std::max(S(S(4) * eps<S>() * (absolute<S>(t) + h)), S(h * S(sqrt(eps<S>())) / S(16)));
+  }
   static S slack(const S& t) { return S(8) * eps<S>() * absolute<S>(t); }
   void skip(const S& t) {
     while (next_ < pieces_.times().size() && !(pieces_.times()[next_] > S(t + slack(t)))) ++next_;
@@ -97,6 +104,12 @@ class EventSteps {
     system.load(state.t, state.q, state.v);
     switches_.hold();
   }
+  /// True if a function has the other sign at a state.
+  bool crosses(Sys& system, const State<Sys>& state) {
+    switches_.forget();
+    system.load(state.t, state.q, state.v);
+    return switches_.crossed();
+  }
   /// The margin of the functions at a state.
   S margin(Sys& system, const State<Sys>& state) {
     system.load(state.t, state.q, state.v);
@@ -131,14 +144,13 @@ class EventSteps {
     const int halvings = adaptive ? 20 : 4, most = adaptive ? 10000 : 32;
     S rest = h, length = h;
     bool again = false;   // the method has seen a later state
-    bool loaded = false;  // the last margin() was that of `state`
+    bool loaded = false;  // the last load() was that of `state`
     for (int found = 0, halved = 0; rest > least;) {
       const bool made = attempt(system, method, state, length, trial_, again);
       const bool strayed = made && switches_.crossed();
       if (made) length = made_;
-      const S end = made ? margin(system, trial_) : S(0);
-      if (end < S(0)) {
-        rest -= locate(system, method, state, length, end);
+      if (made && crosses(system, trial_)) {
+        rest -= locate(system, method, state, length, switches_.margin());
         switches_.change(), ++located_, ++found;
         begin(state), state = beyond_, loaded = false, length = rest, halved = 0, again = true;
         if (found < most) continue;
@@ -182,7 +194,8 @@ class EventSteps {
     S low(0), at_low = margin(system, state);
     beyond_ = trial_;
     if (!(at_low > S(0))) at_low = S(0);
-    const S least = S(4) * eps<S>() * (absolute<S>(state.t) + high);
+    const S least = resolution(state.t, high);
+    const S whole = high;
     S before = high;  // the length of the bracket three iterations ago
     int side = 0;
     for (int k = 0; high - low > least && k < 200; ++k) {
@@ -207,6 +220,10 @@ class EventSteps {
         high = middle, at_high = value, side = -1, beyond_ = trial_;
       }
     }
+    const S past = low + S(2) * least;
+    if (past > high && past < whole && attempt(system, method, state, past, trial_, true) &&
+        margin(system, trial_) < S(0))
+      high = made_, beyond_ = trial_;
     margin(system, beyond_);
     return high;
   }

@@ -72,9 +72,9 @@ class Runner {
         if (saving_.save) saved_.samples.emplace_back(n, state);
       }
       if (!method->what().adaptive)
-        result_.largest_turn =
-            std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(
-                                                             setup_.scene.model, setup_.system.toModel(state).second));
+        result_.largest_turn = std::max(
+            result_.largest_turn,
+            std::abs(h) * largestAngularVelocity(setup_.scene.model, setup_.system.toModel(state).second));
       share_ = double(n) / double(span.steps);
       if (saving_.save) keep(*method, state, n);
       return goesOn();
@@ -140,12 +140,19 @@ class Runner {
     asked_ = now;
     return on_(share_);
   }
+  /// Observers see the forces just before the end of a step, also if others begin there.
+  void holdBefore(const State<Sys>& state) {
+    if (state.t > 0) setup_.system.pieces().hold(state.t - 16 * eps<double>() * state.t);
+  }
   void watchStep(const State<Sys>& state) {
+    holdBefore(state);
     const auto now = setup_.look(state, setup_.every_step_needs);
     for (const auto& o : setup_.observers)
       if (o->everyStep()) o->step(now);
+    setup_.system.pieces().release();
   }
   void sample(const State<Sys>& state, long n) {
+    holdBefore(state);
     const auto now = setup_.look(state, setup_.needs);
     row_.resize(result_.columns.size());
     row_[0] = state.t;
@@ -155,6 +162,7 @@ class Runner {
       o->sample(now, std::span(row_).subspan(at, count));
       at += count;
     }
+    setup_.system.pieces().release();
     if (setup_.attitude_error)
       row_[at] = setup_.attitude_error->sample(setup_.system, state, n, [this] { return goesOn(); });
     for (std::size_t i = 0; i < row_.size(); ++i) {

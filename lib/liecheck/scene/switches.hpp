@@ -25,12 +25,13 @@ class Switches {
    public:
     /// True if the branch of the k-th of them applies, whose value is g.
     [[gnu::always_inline]] bool operator()(std::size_t k, const S& g) const {
-      if (held_) {
+      if (held_) [[likely]] {
         Held& f = held_[k];
         f.value = g;
-        if (g * f.sign < S(0)) [[unlikely]]
+        const bool on = f.sign > S(0);
+        if (on ? g < S(0) : g > S(0)) [[unlikely]]
           all_->crossed_ = true;
-        return f.sign > S(0);
+        return on;
       }
       if (all_) all_->held_.push_back({g, S(1)});
       return g > S(0);

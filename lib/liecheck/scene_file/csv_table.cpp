@@ -97,8 +97,11 @@ class Reader {
       }
     }
     const std::size_t at = table_.numbers.size() - table_.width;
-    if (at > 0 && !(table_.numbers[at] > table_.numbers[at - table_.width]))
-      refuse("the time '" + cells[chosen_[0]] + "' is not after the time before it: times must increase");
+    if (at > 0 && !(table_.numbers[at] >= table_.numbers[at - table_.width]))
+      refuse("the time '" + cells[chosen_[0]] +
+             "' is before the time before it: write the rows in the order of their times, and two rows with "
+             "one time "
+             "for a jump");
   }
 
   const std::string &path_, &unit_;

@@ -135,6 +135,26 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   }
 }
 
+/// Warns of each loop that is open at the start by more than the accepted error of a position, or a millimetre.
+void warnOfOpenLoops(const Text& text, const Scene& scene, std::vector<std::string>& warnings) {
+  for (const Request& r : scene.effects) {
+    if (r.name != "closed_loops") continue;
+    Data<double> data(scene.model);
+    forwardKinematics(scene.model, data, scene.q);
+    const auto& names = r.parameters.names("frames");
+    const auto origin = [&](const std::string& name) {
+      const scene::Spot<double> frame(scene.model, name);
+      return data.oMi()[frame.joint].act(frame.X_JF.translation());
+    };
+    for (std::size_t i = 0; i + 1 < names.size(); i += 2)
+      if (const double gap = (origin(names[i]) - origin(names[i + 1])).norm();
+          gap > (scene.accepted_position > 0 ? scene.accepted_position : 1e-3))
+        warnings.push_back(text.file() + ":" + std::to_string(r.line) + ": the loop of '" + names[i] +
+                           "' and '" + names[i + 1] + "' is open by " + std::to_string(gap) +
+                           " m at the start: give initial joints that close it");
+  }
+}
+
 Scene read(const Text& text, const std::string& content, const std::string& folder,
            std::vector<std::string>& warnings) {
   if (content.size() > max_scene_bytes)
@@ -200,6 +220,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   scene.observers = requests(text, root["observers"], "observers", scene::observerEntries(), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);
+  warnOfOpenLoops(text, scene, warnings);
   return scene;
 }
 

@@ -122,8 +122,11 @@ Value Text::table(const YAML::Node& node, const std::string& what, const std::st
     v.width = node[i].size();
     for (std::size_t k = 0; k < v.width; ++k)
       v.numbers.push_back(number(node[i][k], row + "[" + std::to_string(k) + "]", k == 0 ? "s" : unit));
-    if (i > 0 && !(v.numbers[i * v.width] > v.numbers[(i - 1) * v.width]))
-      refuse(node[i], row + " is not after the time before it: times must increase");
+    if (i > 0 && !(v.numbers[i * v.width] >= v.numbers[(i - 1) * v.width]))
+      refuse(node[i],
+             row +
+                 " is before the time before it: write the rows in the order of their times, and two rows "
+                 "with one time for a jump");
   }
   return v;
 }
@@ -144,12 +147,15 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
     if (key.kind == Kind::Direction && v.numbers == std::vector<double>(3, 0.0))
       refuse(node, what + " is zero: it has no direction");
   } else if (key.kind == Kind::Numbers || key.kind == Kind::Times) {
-    v.numbers = numbers(node, what, key.unit);
+    v.numbers = key.kind == Kind::Numbers && node.IsScalar()
+                    ? std::vector<double>{number(node, what, key.unit)}
+                    : numbers(node, what, key.unit);
     if (v.numbers.empty()) refuse(node, what + " is an empty list");
     for (std::size_t i = 1; i < v.numbers.size() && key.kind == Kind::Times; ++i)
-      if (!(v.numbers[i] > v.numbers[i - 1]))
+      if (!(v.numbers[i] >= v.numbers[i - 1]))
         refuse(node,
-               what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
+               what + "[" + std::to_string(i) +
+                   "] is before the time before it: write the times in order, and a time twice for a jump");
   } else if (key.kind == Kind::Table) {
     v = table(node, what, key.unit);
   } else if ((key.kind == Kind::Frames || key.kind == Kind::Bodies || key.kind == Kind::Joints) &&

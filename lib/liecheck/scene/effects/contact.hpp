@@ -61,28 +61,32 @@ class Contact final : public Effect<S> {
       throw std::invalid_argument(
           "contact of a cylinder needs a plane as the ground: on heights and meshes take a capsule instead");
     located_ = balls_.size() + rims_.size() <= most_contact_events;
+    level_ = !terrain_ && n_[0] == S(0) && n_[1] == S(0) && n_[2] == S(1);
   }
   Acts acts() const override { return Acts::OnBodies; }
   bool conservative() const override { return law_.conservative(); }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    forEachTouch(now, [&](std::size_t joint, const Near<S>& at, const Vector3<S>& p) {
-      press(now, load, joint, at, p);
+    const auto within = now.next(located_ ? balls_.size() + rims_.size() : 0);
+    std::size_t k = 0;
+    forEachTouch(now, [&](std::size_t joint, const S& distance, const auto& n, const Vector3<S>& p) {
+      press(now, load, joint, S(-distance), n, p,
+            [&](const S& g) { return located_ ? within(k++, g) : g > S(0); });
     });
   }
   S potential(const Now<S>& now) const override {
     S energy(0);
-    forEachTouch(now, [&](std::size_t, const Near<S>& at, const Vector3<S>&) {
-      energy += law_.potential(S(-at.distance));
+    forEachTouch(now, [&](std::size_t, const S& distance, const auto&, const Vector3<S>&) {
+      energy += law_.potential(S(-distance));
     });
     return energy;
   }
   std::vector<Sliding<S>> sliding(const Now<S>& now) const override {
     std::vector<Sliding<S>> all;
-    forEachTouch(now, [&](std::size_t joint, const Near<S>& at, const Vector3<S>& p) {
+    forEachTouch(now, [&](std::size_t joint, const S& distance, const Vector3<S>& n, const Vector3<S>& p) {
       Vector3<S> w;
-      if (const auto d = law_.sliding(S(-at.distance), at.n, velocityAt(now, joint, p, w)))
-        all.push_back({joint, 0, p, at.n, *d});
+      if (const auto d = law_.sliding(S(-distance), n, velocityAt(now, joint, p, w)))
+        all.push_back({joint, 0, p, n, *d});
     });
     return all;
   }
@@ -130,33 +134,40 @@ class Contact final : public Effect<S> {
     }
   }
 
-  /// Calls f(joint, distance of the lowest point and normal of the ground, contact point in the world).
+  /// Calls f(joint, distance of the lowest point, normal of the ground, contact point in the world). The normal is
+  /// Upward for balls on a level plane.
   template <class F>
   [[gnu::always_inline]] void forEachTouch(const Now<S>& now, F f) const {
-    for (const Ball& ball : balls_) {
-      const Vector3<S> p = now.X_WJ[ball.joint].act(ball.p_J);
-      Near<S> at = terrain_ ? terrain_->near(p, ball.r) : Near<S>{S(n_.dot(p) - offset_), n_};
-      at.distance -= ball.r;
-      f(ball.joint, at, Vector3<S>(p - ball.r * at.n));
+    if (level_) {
+      for (const Ball& ball : balls_) {
+        Vector3<S> p = now.X_WJ[ball.joint].act(ball.p_J);
+        p[2] -= ball.r;
+        f(ball.joint, S(p[2] - offset_), Upward<S>(), p);
+      }
+    } else {
+      for (const Ball& ball : balls_) {
+        const Vector3<S> p = now.X_WJ[ball.joint].act(ball.p_J);
+        const Near<S> at = terrain_ ? terrain_->near(p, ball.r) : Near<S>{S(n_.dot(p) - offset_), n_};
+        f(ball.joint, S(at.distance - ball.r), at.n, Vector3<S>(p - ball.r * at.n));
+      }
     }
     using std::sqrt;
     for (const Rim& rim : rims_) {
       const SE3<S>& X = now.X_WJ[rim.joint];
       const Vector3<S> c = X.act(rim.c_J), a = product<S>(X.rotation(), rim.a_J), d = n_ - S(n_.dot(a)) * a;
       const S s = sqrt(S(d.squaredNorm() + S(1) / S(1000000)));
-      f(rim.joint, Near<S>{S(n_.dot(c) - offset_ - rim.R * s), n_}, Vector3<S>(c - S(rim.R / s) * d));
+      f(rim.joint, S(n_.dot(c) - offset_ - rim.R * s), n_, Vector3<S>(c - S(rim.R / s) * d));
     }
   }
-  [[gnu::always_inline]] void press(const Now<S>& now, const Load<S>& load, std::size_t joint, const Near<S>& at,
-             const Vector3<S>& p) const {
-    const S depth = -at.distance;
+  template <class Normal, class Within>
+  [[gnu::always_inline]] void press(const Now<S>& now, const Load<S>& load, std::size_t joint, const S& depth,
+                                    const Normal& n, const Vector3<S>& p, Within within) const {
     const bool deep = depth > S(0);
     Vector3<S> u = Vector3<S>::Zero(), w = Vector3<S>::Zero(), f, moment;
     if (deep) u = velocityAt(now, joint, p, w);
-    const S g = deep ? law_.acts(depth, at.n.dot(u)) : depth;
-    if (!(located_ ? now.on(g) : g > S(0))) return;
+    if (!within(deep ? law_.acts(depth, n.dot(u)) : depth)) return;
     if (!deep) u = velocityAt(now, joint, p, w);
-    law_.force(depth, at.n, u, w, f, moment);
+    law_.force(depth, n, u, w, f, moment);
     pressAt(now, load, joint, p, f, moment);
   }
 
@@ -167,6 +178,7 @@ class Contact final : public Effect<S> {
   Vector3<S> n_;
   S offset_;
   bool located_;  ///< whether each contact is a switching function
+  bool level_;    ///< the ground is a plane with the normal z
 };
 
 }  // namespace liecheck::scene

@@ -34,17 +34,29 @@ inline std::vector<Key> contactKeys(std::vector<Key> own) {
   return own;
 }
 
+/// The z axis as a unit normal: a level plane needs no products with the others.
+template <Scalar S>
+struct Upward {
+  [[gnu::always_inline]] S dot(const Vector3<S>& x) const { return x[2]; }
+  [[gnu::always_inline]] friend Vector3<S> operator*(const S& s, const Upward&) {
+    return Vector3<S>(S(0), S(0), s);
+  }
+  operator Vector3<S>() const { return Vector3<S>(S(0), S(0), S(1)); }
+};
+
 /// The velocity of the point p of a joint's body, and the body's angular velocity w, in the world.
 template <Scalar S>
-[[gnu::always_inline]] inline Vector3<S> velocityAt(const Now<S>& now, std::size_t joint, const Vector3<S>& p, Vector3<S>& w) {
+[[gnu::always_inline]] inline Vector3<S> velocityAt(const Now<S>& now, std::size_t joint, const Vector3<S>& p,
+                                                    Vector3<S>& w) {
   const Motion<S> V = now.V.inWorld(joint);
   w = V.angular();
   return V.linear() + cross<S>(w, Vector3<S>(p - now.X_WJ[joint].translation()));
 }
 /// Adds a force f at p, and a moment, to a joint's body, both in the world.
 template <Scalar S>
-[[gnu::always_inline]] inline void pressAt(const Now<S>& now, const Load<S>& load, std::size_t joint, const Vector3<S>& p,
-             const Vector3<S>& f, const Vector3<S>& moment) {
+[[gnu::always_inline]] inline void pressAt(const Now<S>& now, const Load<S>& load, std::size_t joint,
+                                           const Vector3<S>& p, const Vector3<S>& f,
+                                           const Vector3<S>& moment) {
   const Vector3<S> arm = p - now.X_WJ[joint].translation();
   load.f[joint] = load.f[joint] + Force<S>(f, Vector3<S>(moment + cross<S>(arm, f)));
 }
@@ -74,19 +86,20 @@ class ContactLaw {
   bool conservative() const { return c_ == S(0) && mu_ == S(0) && !turns_; }
   /// The force acts while this is above 0: while A and B overlap and do not part faster than 1/c.
   S acts(const S& depth, const S& parting) const { return std::min(depth, S(S(1) - c_ * parting)); }
-  /// The force f and the moment on body A.
-  [[gnu::always_inline]] void force(const S& depth, const Vector3<S>& n, const Vector3<S>& u, const Vector3<S>& w, Vector3<S>& f,
-             Vector3<S>& moment) const {
+  /// The force f and the moment on body A. The normal is a Vector3 or Upward.
+  template <class Normal>
+  [[gnu::always_inline]] void force(const S& depth, const Normal& n, const Vector3<S>& u, const Vector3<S>& w,
+                                    Vector3<S>& f, Vector3<S>& moment) const {
     using std::sqrt;
     const S parting = n.dot(u), normal = pressed(depth) * (S(1) - c_ * parting);
-    const Vector3<S> u_t = u - parting * n;
-    f = normal * n - S(mu_ * normal / S(sqrt(u_t.squaredNorm() + slip_))) * u_t;
+    const Vector3<S> u_t = u - Vector3<S>(parting * n);
+    f = Vector3<S>(normal * n) - S(mu_ * normal / S(sqrt(u_t.squaredNorm() + slip_))) * u_t;
     moment.setZero();
     if (!turns_) return;
     const S spin = n.dot(w);
-    const Vector3<S> w_t = w - spin * n;
+    const Vector3<S> w_t = w - Vector3<S>(spin * n);
     moment = -S(rolling_ * normal / S(sqrt(w_t.squaredNorm() + angular_slip_))) * w_t -
-             S(torsion_ * normal * spin / S(sqrt(spin * spin + angular_slip_))) * n;
+             Vector3<S>(S(torsion_ * normal * spin / S(sqrt(spin * spin + angular_slip_))) * n);
   }
   S potential(const S& depth) const {
     return depth > S(0) ? S(pressed(depth) * depth / (exponent_ + S(1))) : S(0);

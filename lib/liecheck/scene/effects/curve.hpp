@@ -7,6 +7,7 @@
 //            (Bessel's interpolation: de Boor 2001, A Practical Guide to Splines, ch. IV)
 //
 // Before the first row and after the last one, x is constant. Each row is an event: between rows, x is a polynomial.
+// Two rows with the same time are a jump of a linear table.
 
 #include <algorithm>
 #include <liecheck/scene/parameters.hpp>
@@ -24,6 +25,10 @@ class Curve {
       for (std::size_t k = 1; k < table.width; ++k) x_.push_back(S(table.numbers[i + k]));
     }
     if (!cubic) return;
+    if (std::ranges::adjacent_find(times_) != times_.end())
+      throw std::invalid_argument(
+          "a table with a jump, two rows with the same time, has no cubic interpolation: write "
+          "'interpolation: linear'");
     for (std::size_t i = 0; i < times_.size(); ++i)
       for (std::size_t k = 0; k < width_; ++k) slopes_.push_back(slope(i, k));
   }

@@ -12,7 +12,7 @@ inline const PartInfo force_table_info{
     "adds or removes: power tau(t) v",
     "a search in the table",
     {{"joints", Kind::Joints, "", "all", "joints with this force"},
-     {"times", Kind::Times, "s", "", "t_i, increasing"},
+     {"times", Kind::Times, "s", "", "t_i, in order; a time twice is a jump"},
      {"forces", Kind::Numbers, "N m|N", "",
       "tau_i; before the first time and after the last one, the force is constant"},
      {"rows", Kind::Table, "N m|N", "",

@@ -37,9 +37,11 @@ class LoopGapsObserver final : public Observer {
     for (std::size_t k = 0; k < 3; ++k) largest_[k] = std::max(largest_[k], row[k]);
   }
   std::vector<Figure> figures() const override {
-    return {{"largest gap of a loop", "m", largest_[0]},
-            {"largest rate of a gap", "m/s", largest_[1]},
-            {"largest angle of a weld", "rad", largest_[2]}};
+    std::vector<Figure> all = {{"largest gap of a loop", "m", largest_[0]},
+                               {"largest rate of a gap", "m/s", largest_[1]}};
+    if (std::ranges::any_of(pairs_, &Pair::weld))
+      all.push_back({"largest angle of a weld", "rad", largest_[2]});
+    return all;
   }
 
  private:
