@@ -152,7 +152,14 @@ void measure_times(std::vector<Line>& lines, double duration, const Interleaving
     for (std::size_t k = 0; k < line.series.points.size(); ++k) {
       if (!line.timed[k]) continue;
       SweepPoint& p = line.series.points[k];
-      timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1});
+      timed.push_back({[runner = line.runner, &p] {
+                         try {
+                           runner->pass(p.effort);
+                         } catch (const Diverged& e) {
+                           p.diverged = e.what();
+                         }
+                       },
+                       1});
       points.push_back(&p);
     }
   }

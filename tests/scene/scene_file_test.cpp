@@ -35,7 +35,7 @@ std::string with(std::size_t line, const std::string& text) {
   for (std::size_t i = 0; i < good.size(); ++i) all += (i + 1 == line ? text : good[i]) + "\n";
   return all + (line > good.size() ? text + "\n" : "");
 }
-std::string refusal(const std::string& text) {
+std::string refusalOfText(const std::string& text) {
   try {
     loadSceneText(text, "s.yaml", scenes.string());
   } catch (const SceneError& e) {
@@ -192,7 +192,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
        "s.yaml:2: initial.joints has no key 'root', the nearest are 'root_joint' and 'universe'"},
   };
   for (const Bad& bad : table) {
-    const std::string said = refusal(with(bad.line, bad.text));
+    const std::string said = refusalOfText(with(bad.line, bad.text));
     if (bad.message.empty())
       EXPECT_EQ(said, "nothing") << bad.text;
     else
@@ -201,14 +201,15 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
 }
 
 TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
-  EXPECT_EQ(refusal(""),
+  EXPECT_EQ(refusalOfText(""),
             "s.yaml: is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
-  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
-  EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
-  EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // a recursive parser would overflow its stack
-  EXPECT_NE(refusal(std::string(max_scene_bytes + 1, 'a')).find("longer than the limit of a scene"),
+  EXPECT_EQ(refusalOfText(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
+  EXPECT_NE(refusalOfText("%PDF-1.4 \x01\x02"), "nothing");
+  EXPECT_NE(refusalOfText(std::string(100000, '[')),
+            "nothing");  // a recursive parser would overflow its stack
+  EXPECT_NE(refusalOfText(std::string(max_scene_bytes + 1, 'a')).find("longer than the limit of a scene"),
             std::string::npos);
-  EXPECT_NE(refusal("a: &x [*x]\n"), "nothing");
+  EXPECT_NE(refusalOfText("a: &x [*x]\n"), "nothing");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
 }
@@ -251,7 +252,7 @@ TEST(SceneFile, AStartKeepsWhatItDoesNotSet) {
 TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {
   std::string text =
       "robot: {urdf: chain.urdf}\nintegrator: {name: variational, step: 1 ms}\nduration: 1 s\n";
-  EXPECT_EQ(refusal(text),
+  EXPECT_EQ(refusalOfText(text),
             "s.yaml:2: integrator 'variational' is for one body on a free_flyer root only: "
             "take implicit_midpoint");
 }

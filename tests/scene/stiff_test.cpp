@@ -115,6 +115,25 @@ TEST(Radau5, TakesStepsFarAboveTheFastestMode) {
 
 /// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.76 mm. It changes its sign within 1 um/s, so that steps of
 /// 1 ms only swing about the rest, and an explicit method would need steps of 10 ns.
+/// Newton's method may keep a Jacobian during a run, but not beyond it.
+TEST_P(EachImplicitMethod, GivesTheSameBitsAfterAnotherRun) {
+  const scene::Scene s =
+      loadSceneText(hinge +
+                    "effects: [gravity, joint_spring: {stiffness: 1e4}, joint_damping: {coefficient: 10}]\n"
+                    "integrator: {name: " +
+                    GetParam() + ", step: 20 ms}\nduration: 0.2 s\n");
+  using Sys = scene::Tree<double>;
+  auto system = scene::makeSystem<Sys>(s);
+  const auto last = [&](scene::Method<Sys>& method, double angle) {
+    scene::State<Sys> state(system, VectorX<double>::Constant(1, angle), s.v);
+    scene::simulate(system, method, state, s.span, [](const auto&, long) { return true; });
+    return std::pair(state.q[0], state.v[0]);
+  };
+  const auto method = scene::makeMethod<Sys>(s.integrator), other = scene::makeMethod<Sys>(s.integrator);
+  last(*other, 1.5);
+  EXPECT_EQ(last(*other, 1), last(*method, 1));
+}
+
 TEST(Estimate, AdvisesAnLStableMethodWhereForcesAreStiff) {
   const std::string text =
       "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joint_velocities: "

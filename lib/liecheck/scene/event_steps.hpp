@@ -24,7 +24,9 @@ template <class Sys>
 class EventSteps {
  public:
   using S = typename Sys::Scalar;
-  EventSteps(Sys& system, const State<Sys>& state)
+  /// With locates = false, steps end only at the events that are known beforehand, and the branches are those at each
+  /// evaluation: a method of order 1 keeps its order so, since a force is continuous where its branch changes.
+  EventSteps(Sys& system, const State<Sys>& state, bool locates = true)
       : pieces_(system.pieces()),
         switches_(system.switches()),
         before_(state),
@@ -32,7 +34,7 @@ class EventSteps {
         beyond_(state) {
     skip(state.t);
     learn(system, state);
-    switching_ = !switches_.none();
+    switching_ = locates && !switches_.none();
     switches_.release();
     learnt_ = false;
   }

@@ -32,7 +32,7 @@ template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
   const S t0 = span.first > 0 ? S(0) : state.t, h = S(span.duration) / S(span.steps);
-  EventSteps<Sys> events(system, state);
+  EventSteps<Sys> events(system, state, method.what().order > 1);
   const auto ended = [&](long steps, bool stopped, const char* why = nullptr) {
     return Outcome{steps,          double(t0 + S(steps) * h), why != nullptr, stopped,
                    why ? why : "", events.located(),          events.zeno()};

@@ -27,6 +27,7 @@ class ImplicitStages {
     q_ = state.q, delta_ = v_ = K_new_ = A_new_ = state.v;
     K_.fill(state.v), A_.fill(state.v), last_.fill(state.v);
     has_last_ = stiff_ = false;
+    if (!(state.t > S(0))) newton_.forget();  // A run begins at time 0. After an event, J may still be good.
   }
   /// Computes K and A of all stages. False if no iteration converges.
   bool solve(Sys& system, const State<Sys>& state, const S& h, const Points& g) {

@@ -32,6 +32,8 @@ class StageNewton {
   /// of iterations, or none if they did not converge. `speed` is max |v0|.
   std::optional<long> solve(const std::vector<std::vector<double>>& a, double h, double speed,
                             const Rate& rate, Matrix& Y, Matrix& F);
+  /// Forgets the J of earlier steps, so that a run has the same bits after any other.
+  void forget() { known_ = false, h_ = 0; }
   /// J at the start of a recent step, or null.
   const Matrix* jacobian() const { return known_ ? &J_ : nullptr; }
 
