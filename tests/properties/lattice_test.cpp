@@ -85,7 +85,7 @@ TEST(Perturbations, ChangeTheBlockAndTheComponentThatTheyName) {
   const auto blocks = blocks_of(op::log6, 6);
   ASSERT_EQ(block_names(op::log6), (std::vector<std::string>{"rho", "phi"}));
   const std::vector<double> result{1, -8, 2, 3, 4, 5}, before{9, 9, 9, 9, 9, 9};
-  const auto after = [&](Change change) {
+  const auto after = [&](PlantedChange change) {
     std::vector<double> x = result;
     Perturbation{change, 10, 0, 2, 3}.apply(x, blocks, before);
     return x;

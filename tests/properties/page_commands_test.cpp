@@ -19,10 +19,10 @@ const std::string compiler = replaced(LIECHECK_SYNTAX_CHECK, " -fsyntax-only", "
 
 /// What stands in a command of a page, and in its place here; a command with `by` null is not run at all. The flags of
 /// each command of liecheck are compared with its help (pages_test.cpp), also where it is not run.
-struct Change {
+struct Replacement {
   const char *what, *by, *why;
 };
-const Change changes[] = {
+const Replacement changes[] = {
     {"apt-get update", nullptr, "installs packages and builds everything; these lines are what CI runs"},
     {"cmake --preset release", nullptr, "builds everything"},
     {"cmake --build --preset release", nullptr, "builds everything"},
@@ -135,7 +135,7 @@ std::vector<std::string> wrong_commands(const Clone& clone, const std::string& p
   for (const auto& [in, original] : commands_of(page)) {
     std::string line = original;
     bool left_out = false;
-    for (const Change& c : changes) {
+    for (const Replacement& c : changes) {
       if (original.find(c.what) == original.npos) continue;
       used.insert(c.what);
       left_out = left_out || !c.by;
@@ -160,7 +160,7 @@ TEST(PageCommands, RunAndHaveTheirExitCode) {
   for (const std::string& page : pages())
     for (const std::string& wrong : wrong_commands(clone, read(page), used, run))
       ADD_FAILURE() << page << ": " << wrong;
-  for (const Change& c : changes)
+  for (const Replacement& c : changes)
     EXPECT_TRUE(used.contains(c.what)) << "on no page: " << c.what << " (" << c.why << ")";
   EXPECT_GE(run, 30);
 }
