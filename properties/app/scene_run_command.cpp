@@ -67,6 +67,7 @@ void print_estimate(const scene::Estimate& e) {
   row("angular velocities", e.error.angular_velocity, 0, "rad/s");
   if (std::isnan(e.error.position) && std::isnan(e.error.angle))
     fmt::print("  {:<36}{:>24}\n", "estimated error", "not measured");
+  // No method has an order below 1; half of it allows for events.
   fmt::print("    by runs with {}, compared at {} states, for {:.0f} % of the run's steps; {}\n", e.by,
              e.checkpoints, 100 * e.cost,
              e.order && *e.order > 0.5 ? fmt::format("order observed: {:.2g}", *e.order)

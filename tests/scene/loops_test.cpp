@@ -149,9 +149,9 @@ TEST(ClosedLoops, WeldRotationsToo) {
 }
 
 TEST(ClosedLoops, ThatAreOpenAtTheStartAreWarnedAbout) {
-  const auto warnings = [](const std::string& initial) {
+  const auto warnings = [](const std::string& initial, const std::string& keys = "") {
     std::vector<std::string> all;
-    loadSceneText(tied("", initial), "s.yaml", ".", &all);
+    loadSceneText(tied(keys, initial), "s.yaml", ".", &all);
     return all;
   };
   EXPECT_TRUE(warnings("position: [1, 2.0009, 3]").empty());
@@ -160,6 +160,11 @@ TEST(ClosedLoops, ThatAreOpenAtTheStartAreWarnedAbout) {
   EXPECT_EQ(open[0],
             "s.yaml:4: the loop of 'body' and 'hook' is open by 0.200000 m at the start: give initial joints "
             "that close it");
+  const std::string turned = "position: [1, 2, 3], attitude: [0, 0.7, 0]";
+  EXPECT_TRUE(warnings(turned).empty());
+  const auto weld = warnings(turned, ", type: weld");
+  ASSERT_EQ(weld.size(), 1u);
+  EXPECT_NE(weld[0].find("is open by 0.700000 rad at the start"), std::string::npos) << weld[0];
 }
 
 TEST(ClosedLoops, RefuseWhatIsNoLoop) {

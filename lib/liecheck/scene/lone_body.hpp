@@ -104,7 +104,7 @@ class LoneBody {
     if constexpr (moves) {
       Vector3<S> linear = thrust_;
       if (slowed_) linear -= resistance(v);
-      if (!plain_ && reads_) linear += load_.linear() / mass_;  // plain_ spares the free body the test
+      if (!plain_ && reads_) linear += load_.linear() / mass_;  // a plain body reads nothing: no second test
       for (int i = 0; i < 3; ++i) a[i] = linear[i], a[3 + i] = angular[i];
     } else {
       a = angular;

@@ -140,7 +140,8 @@ class Runner {
     asked_ = now;
     return on_(share_);
   }
-  /// Observers see the forces just before the end of a step, also if others begin there.
+  /// Observers see the forces just before the end of a step, also if others begin there: twice the 8 eps |t| within which
+  /// an event counts as that end (event_steps.hpp).
   void holdBefore(const State<Sys>& state) {
     if (state.t > 0) setup_.system.pieces().hold(state.t - 16 * eps<double>() * state.t);
   }

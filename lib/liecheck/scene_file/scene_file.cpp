@@ -135,23 +135,30 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   }
 }
 
-/// Warns of each loop that is open at the start by more than the accepted error of a position, or a millimetre.
+/// Warns of each loop that is open at the start by more than the accepted error, or 1 mm or 1 mrad.
 void warnOfOpenLoops(const Text& text, const Scene& scene, std::vector<std::string>& warnings) {
+  const auto accepted = [](double stated) { return stated > 0 ? stated : 1e-3; };
   for (const Request& r : scene.effects) {
     if (r.name != "closed_loops") continue;
     Data<double> data(scene.model);
-    forwardKinematics(scene.model, data, scene.q);
+    forwardKinematics(scene.model, data, scene.q, scene.v);
+    scene::Now<double> now{};
+    now.X_WJ = data.oMi(), now.V = {data.v(), now.X_WJ, false};
     const auto& names = r.parameters.names("frames");
-    const auto origin = [&](const std::string& name) {
-      const scene::Spot<double> frame(scene.model, name);
-      return data.oMi()[frame.joint].act(frame.X_JF.translation());
-    };
-    for (std::size_t i = 0; i + 1 < names.size(); i += 2)
-      if (const double gap = (origin(names[i]) - origin(names[i + 1])).norm();
-          gap > (scene.accepted_position > 0 ? scene.accepted_position : 1e-3))
-        warnings.push_back(text.file() + ":" + std::to_string(r.line) + ": the loop of '" + names[i] +
-                           "' and '" + names[i + 1] + "' is open by " + std::to_string(gap) +
-                           " m at the start: give initial joints that close it");
+    std::size_t k = 0;
+    for (const auto& [a, b] : scene::pairsOf(r.parameters, scene.model)) {
+      const scene::Gap<double> gap(now, a, b);
+      const auto warn = [&](double size, double limit, const char* unit) {
+        if (size > limit)
+          warnings.push_back(text.file() + ":" + std::to_string(r.line) + ": the loop of '" + names[k] +
+                             "' and '" + names[k + 1] + "' is open by " + std::to_string(size) + unit +
+                             " at the start: give initial joints that close it");
+      };
+      warn(gap.r.head<3>().norm(), accepted(scene.accepted_position), " m");
+      if (r.parameters.word("type") == "weld")
+        warn(gap.r.tail<3>().norm(), accepted(scene.accepted_angle), " rad");
+      k += 2;
+    }
   }
 }
 
