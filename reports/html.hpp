@@ -38,6 +38,9 @@ std::string cost_section(const Merged& merged);
 /// Section "Scalar coefficients: every float".
 std::string sweep_section(const Merged& merged);
 
+/// Section "Whole operations: proved beside hunted".
+std::string bounds_section(const Merged& merged);
+
 /// Films, charts of error against time, orders, drift, long spins, flips, other simulators, costs of effects.
 std::string scenes_section(const Merged& merged);
 

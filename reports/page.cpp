@@ -37,14 +37,12 @@ std::string verdict_section(const Merged& merged) {
                  "The campaign was interrupted, or not all was measured that must be: see Not measured.";
   if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
   if (verdict_word == "fail")
-    label = "FAIL",
-    meaning =
-        "At least one library is wrong; each has its own verdict below.";
+    label = "FAIL", meaning = "At least one library is wrong; each has its own verdict below.";
   const auto all = standings(merged);
-  std::string out =
-      fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<details class=\"campaign\">"
-                  "<summary>Campaign and standings in figures</summary>\n<dl class=\"summary\">\n",
-                  verdict_word, label, meaning);
+  std::string out = fmt::format(
+      "<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<details class=\"campaign\">"
+      "<summary>Campaign and standings in figures</summary>\n<dl class=\"summary\">\n",
+      verdict_word, label, meaning);
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   };
@@ -253,14 +251,16 @@ std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string_view, std::string> slots = {
       {"style", files({"page.css", "stability.css", "scenes.css"})},
       {"chart library", files({"chart.min.js"})},
-      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js", "page.js", "map.js",
-                         "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
+      {"scripts",
+       files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js",
+              "page.js", "map.js", "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
       {"numbers", compressed(dumped(packed(page_numbers(numbers))))},
       {"verdict word", verdict(merged)},
       {"verdict", verdict_section(merged)},
       {"standings", standings_section(merged)},
       {"offenders", offenders_section(merged)},
       {"sweep", sweep_section(merged)},
+      {"bounds", bounds_section(merged)},
       {"cost", cost_section(merged)},
       {"scenes", scenes_section(merged)},
       {"definitions", definitions_section(merged)},

@@ -41,4 +41,31 @@ std::string sweep_section(const Merged& merged) {
                      : out;
 }
 
+std::string bounds_section(const Merged& merged) {
+  std::string out;
+  for (const Json& record : merged.records) {
+    if (!record.contains("bounds")) continue;
+    std::vector<Cells> rows;
+    for (const Json& b : record["bounds"]["operations"]) {
+      const double proved = figure(b["bound_eps"]), hunted = b["hunted_eps"].get<double>();
+      rows.push_back({text_of(b, "operation"), text_of(b, "block"), fmt::format("{:.2f}", hunted),
+                      std::isfinite(proved) ? fmt::format("<b>{:.2f}</b>", std::ceil(proved * 100) / 100)
+                                            : "<b>none yet</b>",
+                      std::isfinite(proved) ? fmt::format("{:.2f}", proved / hunted) : "—",
+                      eps_text(b["limit_eps"].get<double>()),
+                      status_text(proved < hunted         ? "fail"
+                                  : std::isfinite(proved) ? "pass"
+                                                          : "incomplete"),
+                      text_of(b, "inputs"), text_of(b, "widest"), dumped(b["boxes"])});
+    }
+    out += table("The largest error of whole operations in double [eps]",
+                 {"operation", "block", "hunted: at least", "proved: at most", "proved / hunted", "limit",
+                  "status", "proved for", "largest bound at", "boxes"},
+                 rows, true);
+  }
+  return out.empty() ? "<p>These records hold no proofs: <code>liecheck report</code> without a record makes "
+                       "them, as does <code>liecheck bench bounds</code>.</p>\n"
+                     : out;
+}
+
 }  // namespace liecheck::reports

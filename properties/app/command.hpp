@@ -16,9 +16,11 @@ class Option;
 
 namespace liecheck::properties {
 
+struct BoundOptions;
 struct CostOptions;
 struct CostResult;
 struct HardRow;
+struct ProvedBound;
 struct Robot;
 struct SceneSweepOptions;
 struct SceneSweepResult;
@@ -203,6 +205,9 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 /// that names an unknown coefficient.
 SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned jobs, std::uint32_t stride = 1);
 
+/// Proves the bounds of the operations in `options`, with progress, and calls `done` for each, in order.
+void run_bounds(BoundOptions options, const std::function<void(const ProvedBound&)>& done);
+
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
 /// Adds the subjects of adapters, and those of liecheck beside them if no other subject was selected.
@@ -233,6 +238,7 @@ Command league_measure_command(CLI::App& league);
 Command league_findings_command(CLI::App& league);
 Command league_changes_command(CLI::App& league);
 Command bench_batches_command(CLI::App& bench);
+Command bench_bounds_command(CLI::App& bench);
 Command bench_bugs_command(CLI::App& bench);
 Command bench_history_command(CLI::App& bench);
 Command bench_horizons_command(CLI::App& bench);

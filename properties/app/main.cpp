@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <adapters/noise.hpp>
 #include <app/command.hpp>
+#include <app/command_line.hpp>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -41,7 +42,7 @@ int finish(int code) {
 }
 
 int refuse(const std::string& why) {
-  std::fprintf(stderr, "liecheck: %s\n", printable(why).c_str());
+  std::fprintf(stderr, "liecheck: %s\n", one_line(why).c_str());
   return finish(bad_input);
 }
 

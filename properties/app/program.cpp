@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <app/command.hpp>
+#include <app/command_line.hpp>
 #include <app/completion.hpp>
 #include <app/league_tellings.hpp>
 #include <charconv>
 #include <initializer_list>
 #include <iostream>
+#include <liecheck/text/utf8.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -119,9 +122,9 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
   add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
   add(group(program, "bench", "measure the harness itself: bugs that it finds, limits that it needs, speed"),
-      {bench_batches_command, bench_bugs_command, bench_history_command, bench_horizons_command,
-       bench_lattice_command, bench_limits_command, bench_rounding_command, bench_speed_command,
-       bench_wire_command});
+      {bench_batches_command, bench_bounds_command, bench_bugs_command, bench_history_command,
+       bench_horizons_command, bench_lattice_command, bench_limits_command, bench_rounding_command,
+       bench_speed_command, bench_wire_command});
   add(group(program, "adapter", "libraries from outside the program: docs/adapters.md"),
       {adapter_check_command, adapter_serve_command});
   const Command league = league_command(program);  // after its subcommands: they set it as given, too
@@ -244,21 +247,59 @@ Command Arguments::command(std::function<int()> run) const {
           }};
 }
 
-int run_program(int argc, char** argv, const std::string& typed_line) {
+std::string one_line(const std::string& message) {
+  const std::string text = printable(message);
+  std::string valid;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::string_view rest = std::string_view(text).substr(from);
+    const std::size_t good = firstInvalidUtf8(rest);
+    valid += rest.substr(0, good);
+    if (good < rest.size()) valid += fmt::format("\\x{:02x}", static_cast<unsigned char>(rest[good]));
+    from += good + 1;
+  }
+  if (valid.size() <= 2000) return valid;
+  const auto boundary = [&](std::size_t at) {
+    while (at > 0 && (static_cast<unsigned char>(valid[at]) & 0xC0U) == 0x80) --at;
+    return at;
+  };
+  const std::size_t first = boundary(1300), last = boundary(valid.size() - 600);
+  return fmt::format("{} ... ({} bytes left out) ... {}", valid.substr(0, first), last - first,
+                     valid.substr(last));
+}
+
+struct CommandLine::Parts {
   CLI::App program{"liecheck " LIECHECK_VERSION
                    ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
-  program.require_subcommand(1);
-  program.set_version_flag("--version", LIECHECK_VERSION);
-  const std::vector<Command> commands = add_commands(program, typed_line);
+  std::vector<Command> commands;
+};
+
+CommandLine::CommandLine(const std::string& typed_line) : parts_(std::make_unique<Parts>()) {
+  parts_->program.require_subcommand(1);
+  parts_->program.set_version_flag("--version", LIECHECK_VERSION);
+  parts_->commands = add_commands(parts_->program, typed_line);
+}
+CommandLine::~CommandLine() = default;
+
+std::optional<int> CommandLine::read(int argc, const char* const* argv) {
   try {
-    program.parse(argc, argv);
+    parts_->program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return program.exit(e);
-    throw std::invalid_argument(usage_error(program, e));
+    if (e.get_exit_code() == 0) return parts_->program.exit(e);
+    throw std::invalid_argument(usage_error(parts_->program, e));
   }
-  for (const Command& command : commands)
+  return std::nullopt;
+}
+
+int CommandLine::run() const {
+  for (const Command& command : parts_->commands)
     if (command.arguments->parsed()) return command.run();
   throw std::invalid_argument("no command");
+}
+
+int run_program(int argc, char** argv, const std::string& typed_line) {
+  CommandLine line(typed_line);
+  if (const auto code = line.read(argc, argv)) return *code;
+  return line.run();
 }
 
 }  // namespace liecheck::properties

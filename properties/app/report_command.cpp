@@ -2,6 +2,7 @@
 #include <adapters/subjects.hpp>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
+#include <bounds/bounds.hpp>
 #include <coefficients/sweep.hpp>
 #include <filesystem>
 #include <functional>
@@ -111,6 +112,14 @@ fs::path run_campaign_of_report(const Flags& f) {
   scenes.order_scenes = 3, scenes.order_seconds = 6;
   scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
   if (everything) add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
+  if (everything)
+    add(" during the proofs", [&] {
+      BoundOptions options;
+      options.boxes = 30'000, options.jobs = f.cases.options.jobs;
+      std::vector<ProvedBound> bounds;
+      run_bounds(options, [&](const ProvedBound& b) { bounds.push_back(b); });
+      add_bounds(record, bounds, !stop_requested);
+    });
   if (timed)
     add(" during the timing", [&] {
       try {

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <algorithm>
+#include <bounds/bounds.hpp>
 #include <coefficients/sweep.hpp>
 #include <record/record.hpp>
 #include <support/environment.hpp>
@@ -48,6 +50,25 @@ void add_sweep(json& record, const SweepResult& result) {
   record["sweep"] = record_of(result);
   record["sweep"].erase("environment");  // the campaign's record has it
   if (result.failed()) record["verdict"] = "fail";
+}
+
+json record_of(const std::vector<ProvedBound>& bounds, bool complete, bool failed) {
+  const auto row = [](const ProvedBound& b) -> json {
+    return {{"operation", b.operation}, {"block", b.block},
+            {"inputs", b.inputs},       {"bound_eps", number(b.bound)},
+            {"hunted_eps", b.hunted},   {"limit_eps", b.limit},
+            {"boxes", b.boxes},         {"widest", b.worst}};
+  };
+  return {{"version", LIECHECK_VERSION},  {"verdict", verdict_of(complete || failed, !failed)},
+          {"scalar", "double"},           {"subject", "liecheck"},
+          {"environment", environment()}, {"operations", list_of(bounds, row)}};
+}
+
+void add_bounds(json& record, const std::vector<ProvedBound>& bounds, bool complete) {
+  const bool failed = std::any_of(bounds.begin(), bounds.end(), [](auto& b) { return b.contradicted(); });
+  record["bounds"] = record_of(bounds, complete, failed);
+  record["bounds"].erase("environment");  // the campaign's record has it
+  if (failed) record["verdict"] = "fail";
 }
 
 }  // namespace liecheck::properties

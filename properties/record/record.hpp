@@ -19,6 +19,7 @@ struct CostRow;
 struct HardRow;
 struct Spread;
 struct StoredRun;
+struct ProvedBound;
 struct SweepResult;
 struct SweptCoefficient;
 
@@ -50,6 +51,12 @@ nlohmann::json record_of(const SweepResult& result);
 
 /// Adds a sweep to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
 void add_sweep(nlohmann::json& record, const SweepResult& result);
+
+/// Proved bounds of whole operations: key "bounds" of a campaign's record. `failed`: a claim is not proved.
+nlohmann::json record_of(const std::vector<ProvedBound>& bounds, bool complete, bool failed);
+
+/// Adds proved bounds to a campaign's record. The record's verdict becomes "fail" if a hunted error is above one.
+void add_bounds(nlohmann::json& record, const std::vector<ProvedBound>& bounds, bool complete);
 
 /// "absolute" or "relative": how the error of a coefficient is measured.
 const char* error_kind(const SweptCoefficient& c);

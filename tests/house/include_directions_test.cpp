@@ -72,15 +72,17 @@ const std::vector<Room> harness = {
     {"environments",
      {"support", "generators", "budgets", "subjects", "invariants", "adapters", "campaign", "hard_cases"}},
     {"horizons", {"support", "oracles", "operations", "subjects", "campaign"}},
+    {"bounds", {"lib", "support", "budgets"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
       "campaign", "search", "hard_cases", "history", "failures", "lattice", "store", "coefficients", "timing",
-      "scenes"}},
+      "scenes", "bounds"}},
     {"reports", {"support"}},
-    {"app", {"lib",      "support",    "oracles",      "operations", "conventions",  "generators", "budgets",
-             "subjects", "invariants", "adapters",     "campaign",   "search",       "hard_cases", "history",
-             "failures", "rules",      "lattice",      "store",      "coefficients", "timing",     "rounding",
-             "scenes",   "league",     "environments", "horizons",   "record",       "reports"}},
+    {"app",
+     {"lib",      "support",    "oracles",      "operations", "conventions",  "generators", "budgets",
+      "subjects", "invariants", "adapters",     "campaign",   "search",       "hard_cases", "history",
+      "failures", "rules",      "lattice",      "store",      "coefficients", "timing",     "rounding",
+      "scenes",   "league",     "environments", "horizons",   "bounds",       "record",     "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

@@ -10,7 +10,7 @@
 #include <liecheck/urdf/description.hpp>
 #include <liecheck/urdf/urdf.hpp>
 
-#include "../fuzz/urdf_mutator.hpp"
+#include "../fuzz/mutator.hpp"
 
 namespace {
 
@@ -130,7 +130,7 @@ TEST(Urdfdom, ReadsTheSameNumbersFromTheFixturesAndTheirMutants) {
   std::size_t both = 0;
   for (const std::string& text : texts) both += compared(text);
   EXPECT_GE(both, texts.size() - 2);  // two of the fuzzer's seeds are refused
-  test::UrdfMutator mutator(42);
+  test::Mutator mutator(42, test::urdf_words);
   const auto pick = [&]() -> const std::string& { return texts[mutator.below(texts.size())]; };
   int mutants = 0;
   for (int i = 0; i < 10000 && !HasFailure(); ++i) {

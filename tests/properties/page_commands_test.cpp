@@ -56,6 +56,8 @@ const Replacement changes[] = {
     {"mpirun -n 32", nullptr, "MPI is optional, and the machine may have fewer cores"},
     {"compare last_night.db", "compare night.db", "an older store is the reader's"},
     {"bench rounding", "bench rounding --inputs 1 --samples 2", "minutes"},
+    {"bench bounds --boxes 1000000", "bench bounds --boxes 100", "minutes"},
+    {"bench bounds    ", "bench bounds --boxes 1000", "a minute"},
     {"liecheck environments", nullptr,
      "compiles the library in every environment that is installed: minutes"},
     {"bench horizons", nullptr, "a million calls and more of each row: minutes to hours"},

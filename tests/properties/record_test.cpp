@@ -42,7 +42,7 @@ const Json& campaign() {
 /// The schema of a record without the sections that a campaign does not write.
 Json schema_of_campaign() {
   Json rule = schema();
-  for (const char* section : {"sweep", "cost", "scenes"}) rule["properties"].erase(section);
+  for (const char* section : {"sweep", "bounds", "cost", "scenes"}) rule["properties"].erase(section);
   for (const char* section : {"not_measured", "cliffs", "expected"})
     if (campaign()[section].empty()) rule["properties"][section].erase("items");
   return rule;
@@ -120,12 +120,13 @@ TEST(Record, DefinesEveryOperationAndBlockOfItsResults) {
   EXPECT_FALSE(faulty_definitions(less).empty());
 }
 
-TEST(Record, OfCostAndSweepHasEveryDocumentedFieldAndNoOther) {
+TEST(Record, OfCostSweepAndBoundsHasEveryDocumentedFieldAndNoOther) {
   Json whole = record();
   whole["cost"] = written("cost --op exp6 --for 1s");
   whole["sweep"] = written("sweep --coefficient c2 --stride 1000003 -j 1");
+  whole["bounds"] = written("bench bounds --operation exp6 --boxes 200");
   EXPECT_NO_THROW(check_record("report.json", whole));
-  for (const char* section : {"cost", "sweep"})
+  for (const char* section : {"cost", "sweep", "bounds"})
     expect_agreement(schema()["properties"][section], whole[section]);
 }
 

@@ -152,8 +152,15 @@ constexpr const char* few_cases =
     "campaign --no-hard-cases --subject liecheck --subject textbook --property exp_oracle --scalar double -j "
     "2";
 
-class Signals : public StoppedProgram, public testing::WithParamInterface<Command> {
+/// What is checked of a program that was stopped or killed.
+class CheckedFiles : public StoppedProgram {
  protected:
+  /// in/long.yaml.
+  void make_scene(const std::string& duration) const {
+    std::string scene = read(scenes + "damped_spring.yaml");
+    scene.replace(scene.find("duration: 10 s"), 14, "duration: " + duration);
+    std::ofstream(folder_ / "in" / "long.yaml") << scene;
+  }
   void make_stores() const {
     for (const auto& [name, flags] :
          {std::pair("a", "--shard 1/2"), std::pair("b", "--shard 2/2"), std::pair("c", "--seed 7")})
@@ -191,7 +198,10 @@ class Signals : public StoppedProgram, public testing::WithParamInterface<Comman
     const bool partial = record["verdict"] == "incomplete" || record["verdict"] == "stopped";
     EXPECT_EQ(partial, p.code() == 3) << record["verdict"];
   }
+};
 
+class Signals : public CheckedFiles, public testing::WithParamInterface<Command> {
+ protected:
   /// Runs the command in an empty folder, and sends a signal after `moment` seconds and, if `again`, another.
   void trial(const Command& c, int number, double moment, bool again) {
     for (const auto& entry : fs::directory_iterator(folder_))
@@ -232,9 +242,7 @@ TEST_P(Signals, EndTheProgramSoonAndLeaveWholeFiles) {
   SCOPED_TRACE(fmt::format("to repeat: LIECHECK_SEED={}", seed));
   std::mt19937 random(seed);
   fs::create_directory(folder_ / "in");
-  std::string scene = read(scenes + "damped_spring.yaml");
-  scene.replace(scene.find("duration: 10 s"), 14, "duration: 20000 s");
-  std::ofstream(folder_ / "in" / "long.yaml") << scene;
+  make_scene("20000 s");
   if (c.stores) make_stores();
   const auto moment = [&](double end) { return std::uniform_real_distribution<double>(0, end)(random); };
   std::vector<int> numbers{SIGINT, SIGTERM, SIGHUP};
@@ -277,6 +285,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"cost_with_flags", "cost --flags --op exp6 --op integrate --for 3s --json r.json", 8,
                 "r.json"},
         Command{"bench_batches", "bench batches", 60},
+        Command{"bench_bounds", "bench bounds --boxes 10000000 --state s.json --json r.json", 60, "r.json"},
         Command{"bench_rounding", "bench rounding --inputs 3000 --json r.json", 60, "r.json"},
         Command{"bench_bugs", "bench bugs --for-each 1s --json r.json", 60, "r.json"},
         Command{"bench_history", "bench history --cases 1000000 --json r.json", 60, "r.json"},
@@ -318,6 +327,70 @@ TEST_F(StoppedProgram, ResumesACampaignToTheSameExport) {
   EXPECT_GT(stops, 1);
   EXPECT_EQ(export_text(load_campaign((folder_ / "s.db").string())), whole);
 }
+
+/// A command that is killed, the same command afterwards, and the file that both write.
+struct Killed {
+  const char* name;
+  std::string arguments, again, result;
+  int code;  ///< of the whole command
+};
+
+class Kills : public CheckedFiles, public testing::WithParamInterface<Killed> {
+ protected:
+  /// What a result says, without times.
+  std::string content(const std::string& file) const {
+    const std::string path = (folder_ / file).string();
+    if (file.ends_with(".db")) return export_text(load_campaign(path));
+    const std::string text = read(path);
+    if (!file.ends_with(".html")) return text;
+    return text.ends_with("</html>\n") ? "a whole page" : "a part of a page";
+  }
+};
+
+// kill -9 at random moments of the run: LIECHECK_KILLS=100 kills each command a hundred times.
+TEST_P(Kills, LeaveWholeFilesAndTheCommandSucceedsAfterwards) {
+  const Killed& k = GetParam();
+  const char *number = std::getenv("LIECHECK_KILLS"), *given = std::getenv("LIECHECK_SEED");
+  const int kills = number ? std::atoi(number) : 3;
+  std::mt19937 random(given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : 1);
+  fs::create_directory(folder_ / "in");
+  make_scene("1000 s");
+  make_stores();
+  const auto begin = Clock::now();
+  ASSERT_EQ(run(k.arguments), k.code) << read(folder_ / "err");
+  const double whole = std::chrono::duration<double>(Clock::now() - begin).count();
+  const std::string right = content(k.result);
+  int during = 0;
+  for (int i = 0; i < kills; ++i) {
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename() != "in") fs::remove_all(entry.path());
+    const double moment = std::uniform_real_distribution<double>(0, whole)(random);
+    SCOPED_TRACE(fmt::format("killed after {:.3f} of {:.3f} s", moment, whole));
+    {
+      Process p(folder_, k.arguments);
+      std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+      p.signal(SIGKILL);
+      ASSERT_TRUE(p.ends_within(hang));
+      during += p.killed_by() == SIGKILL;
+      check_files({k.name, k.arguments, whole}, p, true);
+    }
+    fs::remove(folder_ / "err");
+    ASSERT_EQ(run(k.again), k.code) << read(folder_ / "err");
+    EXPECT_EQ(content(k.result), right);
+  }
+  fmt::print("{} of {} kills while it ran, {:.2f} s\n", during, kills, whole);
+  EXPECT_GT(during, 0);
+}
+
+const std::string killed_campaign = fmt::format("{} --cases 60000 --store s.db", few_cases);
+INSTANTIATE_TEST_SUITE_P(
+    Of, Kills,
+    testing::Values(Killed{"campaign", killed_campaign, killed_campaign + " --resume", "s.db", 1},
+                    Killed{"merge", "merge m.db in/a in/b", "merge m.db in/a in/b", "m.db", 0},
+                    Killed{"report", "report in/c --out r", "report in/c --out r", "r/report.html", 0},
+                    Killed{"scene", "scene run in/long.yaml --csv s.csv",
+                           "scene run in/long.yaml --csv s.csv", "s.csv", 0}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 // The first signal must not wait for a program that sends no data, or that does not read.
 TEST_F(StoppedProgram, EndsWhileItWaitsForAPipe) {

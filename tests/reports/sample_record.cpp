@@ -35,6 +35,22 @@ Json record() {
   return all;
 }
 
+Json bounds() {
+  return {{"version", "0.1"},
+          {"verdict", "pass"},
+          {"scalar", "double"},
+          {"subject", "liecheck"},
+          {"operations",
+           {{{"operation", "exp6"},
+             {"block", "translation"},
+             {"inputs", "every twist"},
+             {"bound_eps", 14.2},
+             {"hunted_eps", 3.16},
+             {"limit_eps", 3.9},
+             {"boxes", 1000},
+             {"widest", "theta 3..3.1"}}}}};
+}
+
 Json swept() {
   return parsed(R"json({"bound": "upper",
  "coefficients": [{"argument": "theta^2", "bound_eps": 21.23866, "constant": 972947456, "documented_eps": 20,
@@ -186,13 +202,14 @@ Json full_record() {
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
   all["hard_cases"][0]["cells"][0]["open"] = false;
   all["sweep"] = swept();
+  all["bounds"] = bounds();
   all["cost"] = cost();
   all["cost"]["rows"] = Json::array({cost_row("liecheck", "double", "exp6", 1e-16, 40)});
   all["cost"]["environment"].update(environment);
   all["cost"]["bands"] = {{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}};
   all["scenes"] = scenes();
   for (Json& p : all["scenes"]["scenes"][0]["series"][0]["points"]) p["momentum"] = p["energy"];
-  for (const char* name : {"sweep", "scenes"}) all[name]["environment"] = environment;
+  for (const char* name : {"sweep", "bounds", "scenes"}) all[name]["environment"] = environment;
   all["scenes"]["films"][0]["links"][0]["joints"] = {{0, 0, 1}};
   return all;
 }

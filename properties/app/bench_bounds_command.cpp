@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+#include <app/command.hpp>
+#include <bounds/bounds.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <record/record.hpp>
+#include <stdexcept>
+#include <support/files.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  BoundOptions options;
+  std::string claim, state, json;
+};
+
+/// The bounds that an earlier call finished, in a file.
+class State {
+ public:
+  State(std::string file, const BoundOptions& options) : file_(std::move(file)), boxes_(options.boxes) {
+    if (file_.empty()) return;
+    if (std::filesystem::exists(file_)) read();
+    check_writable(file_);
+  }
+  const ProvedBound* of(const std::string& operation) const {
+    for (const ProvedBound& b : done_)
+      if (b.operation == operation) return &b;
+    return nullptr;
+  }
+  void add(const ProvedBound& b) {
+    if (file_.empty() || b.boxes < boxes_) return;
+    done_.push_back(b);
+    nlohmann::json all = nlohmann::json::array();
+    for (const ProvedBound& d : done_)
+      all.push_back({{"operation", d.operation},
+                     {"block", d.block},
+                     {"inputs", d.inputs},
+                     {"bound", d.bound},
+                     {"boxes", d.boxes},
+                     {"worst", d.worst},
+                     {"hunted", d.hunted},
+                     {"limit", d.limit}});
+    write_whole(
+        file_,
+        nlohmann::json({{"bounds_of_liecheck", LIECHECK_VERSION}, {"boxes", boxes_}, {"done", all}}).dump(1) +
+            "\n");
+  }
+
+ private:
+  std::string file_;
+  std::uint64_t boxes_;
+  std::vector<ProvedBound> done_;
+
+  void read() {
+    try {
+      const auto j = nlohmann::json::parse(read_whole(file_));
+      if (j.at("bounds_of_liecheck") != LIECHECK_VERSION || j.at("boxes") != boxes_)
+        throw std::invalid_argument("of another version or with another number of boxes");
+      for (const auto& d : j.at("done")) {
+        ProvedBound b;
+        b.operation = d.at("operation"), b.block = d.at("block"), b.inputs = d.at("inputs");
+        b.bound = d.at("bound"), b.boxes = d.at("boxes"), b.worst = d.at("worst");
+        b.hunted = d.at("hunted"), b.limit = d.at("limit");
+        done_.push_back(b);
+      }
+    } catch (const std::exception& e) {
+      throw std::invalid_argument(
+          fmt::format("--state: {}: not a state of these proofs: {}", file_, e.what()));
+    }
+  }
+};
+
+int run(const Flags& f) {
+  BoundOptions o = f.options;
+  if (o.operations.empty()) o.operations = proved_operations();
+  double claim = 0;
+  if (!f.claim.empty()) {
+    std::size_t used = 0;
+    try {
+      claim = std::stod(f.claim, &used);
+    } catch (const std::exception&) {
+    }
+    if (used != f.claim.size() || !(claim > 0) || !std::isfinite(claim))
+      throw std::invalid_argument(fmt::format("--claim: '{}' is not a positive number", f.claim));
+    if (o.operations.size() != 1) throw std::invalid_argument("--claim needs one --operation");
+    o.wanted = claim;
+  }
+  State state(f.state, o);
+  stop_on_signals();
+  std::vector<ProvedBound> rows;
+  bool failed = false;
+  fmt::print("{:<24}{:<17}{:>10}{:>10}{:>8}{:>8}{:>10}  {}\n", "operation", "block", "hunted", "proved",
+             "ratio", "limit", "boxes", "[eps]; the proved bound holds for");
+  const auto show = [&](const ProvedBound& b) {
+    std::string why;
+    if (b.contradicted())
+      why = "  FAILED: a search found more than is proved";
+    else if (claim > 0 && b.bound > claim)
+      why = fmt::format("  FAILED: {} eps is not proved; the largest bound is at {}", f.claim, b.worst);
+    failed = failed || !why.empty();
+    fmt::print("{:<24}{:<17}{:>10.3g}{:>10.3f}{:>8.2f}{:>8.3g}{:>10}  {}{}\n", b.operation, b.block, b.hunted,
+               std::ceil(b.bound * 1000) / 1000, b.bound / b.hunted, b.limit, b.boxes, b.inputs, why);
+    std::fflush(stdout);
+    rows.push_back(b);
+  };
+  std::vector<std::string> open;
+  for (const std::string& name : o.operations)
+    if (const ProvedBound* done = state.of(name))
+      show(*done);
+    else
+      open.push_back(name);
+  if (!open.empty()) {
+    o.operations = open;
+    run_bounds(o, [&](const ProvedBound& b) { state.add(b), show(b); });
+  }
+  const bool complete = !stop_requested;
+  if (!complete)
+    fmt::print(stderr, "interrupted: the bounds hold, but more boxes would lower them{}\n",
+               f.state.empty() ? "" : "; the same command goes on with " + f.state);
+  if (!f.json.empty()) write_record(f.json, record_of(rows, complete, failed));
+  return failed ? property_failed : complete ? within_budget : incomplete;
+}
+
+}  // namespace
+
+void run_bounds(BoundOptions options, const std::function<void(const ProvedBound&)>& done) {
+  Progress progress("proofs");
+  options.progress = [&](double share, const std::string& operation, double bound) {
+    progress.show(share, fmt::format("{} at most {:.3g} eps", operation, bound));
+  };
+  prove_bounds(options, done);
+}
+
+Command bench_bounds_command(CLI::App& bench) {
+  CommandWith<Flags> a(bench, "bounds",
+                       "prove upper bounds of the errors of whole operations of liecheck in double, beside "
+                       "the largest errors that "
+                       "searches found. Exit code 0 if they agree; 1 if a search found more, or a claim is "
+                       "not proved; 2 for bad "
+                       "input; 3 if stopped");
+  a.list("--operation", a->options.operations, "OP",
+         "an operation that has a proof, repeatable; default all");
+  a.number("--boxes", a->options.boxes, 1, 1'000'000'000,
+           "boxes of inputs to evaluate for each operation: more of them lower the bound");
+  a.text("--claim", a->claim, "EPS", "prove this bound of one operation, or fail");
+  a.text("--state", a->state, "FILE", "write each finished operation, and go on from there");
+  a->options.jobs = default_jobs();
+  a.jobs(a->options.jobs);
+  a.json(a->json, "write the bounds to FILE");
+  return a.runs(run);
+}
+
+}  // namespace liecheck::properties
