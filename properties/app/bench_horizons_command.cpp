@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <horizons/horizons.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <support/files.hpp>
 #include <support/json_number.hpp>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -50,12 +52,20 @@ int run(const Flags& f) {
   if (!f.walks.empty()) o.walks = f.walks;
   if (!o.state.empty()) check_writable(o.state);
   stop_on_signals();
+  std::unique_ptr<Progress> progress;  // of the walk that runs
+  std::string walk;
+  o.progress = [&](const std::string& path, double share) {
+    const std::string its = path.substr(0, path.rfind(' '));
+    if (its != walk || !progress) progress = std::make_unique<Progress>(its), walk = its;
+    progress->show(share, "of a path of " + std::to_string(o.steps) + " calls");
+  };
   nlohmann::json rows = nlohmann::json::array();
   bool failed = false;
   fmt::print("{:<16}{:<8}{:<13}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
              "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
   const bool complete = measure_horizons(o, [&](const Horizon& h) {
     const std::string why = h.subject == "liecheck" ? broken(h) : "";
+    progress.reset();
     failed = failed || !why.empty();
     for (const HorizonPoint& p : h.points) {
       const bool last = &p == &h.points.back();

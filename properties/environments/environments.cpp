@@ -36,6 +36,18 @@ Environment emulated(const std::string& architecture) {
   return e;
 }
 
+/// Run by qemu, since many kernels no longer run programs of 32 bits.
+Environment of_32_bits(const std::string& name, const std::string& flags, Promise promise) {
+  Environment e = build(
+      name, "g++", "-O2 -m32 " + flags + " -static -idirafter /usr/include/x86_64-linux-gnu",
+      {{Need::file, "/usr/lib/gcc/x86_64-linux-gnu/12/32/libstdc++.a", "apt-get install g++-12-multilib"},
+       {Need::program, "qemu-i386", "apt-get install qemu-user"}},
+      promise);
+  e.what += ", run by qemu-i386";
+  e.run = "qemu-i386 -cpu max";
+  return e;
+}
+
 /// glibc's mathematical functions are replaced by the objects of musl's that compute them.
 Environment musl() {
   const std::string archive = "/usr/lib/x86_64-linux-musl/libc.a";
@@ -64,8 +76,6 @@ Environment wasm() {
 std::vector<Environment> make() {
   const Need v3{Need::processor, "avx2", "a processor of x86-64-v3"};
   const Need v4{Need::processor, "avx512vl", "a processor of x86-64-v4"};
-  const Need multilib{Need::file, "/usr/lib/gcc/x86_64-linux-gnu/12/32/libstdc++.a",
-                      "apt-get install g++-12-multilib"};
   const Need libcxx{Need::file, "/usr/include/c++/v1/version", "apt-get install libc++-dev libc++abi-dev"};
   std::vector<Environment> all{
       call("up", "every call rounds up", Promise::fourfold, {FE_UPWARD, false}),
@@ -79,10 +89,8 @@ std::vector<Environment> make() {
       build("clang-O2", "clang++", "-O2"),
       build("clang-O3-v3", "clang++", "-O3 -march=x86-64-v3 -ffp-contract=fast", {v3}),
       build("clang-libc++", "clang++", "-O2 -stdlib=libc++", {libcxx}),
-      build("gcc-x87", "g++", "-O2 -m32 -mfpmath=387 -idirafter /usr/include/x86_64-linux-gnu", {multilib},
-            Promise::fourfold),
-      build("gcc-m32-sse2", "g++", "-O2 -m32 -msse2 -mfpmath=sse -idirafter /usr/include/x86_64-linux-gnu",
-            {multilib}),
+      of_32_bits("gcc-x87", "-mfpmath=387", Promise::fourfold),
+      of_32_bits("gcc-m32-sse2", "-msse2 -mfpmath=sse", Promise::same),
       musl(),
       emulated("aarch64"),
       emulated("riscv64"),

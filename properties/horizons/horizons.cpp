@@ -219,7 +219,7 @@ std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
 /// The state of all paths in a file.
 class State {
  public:
-  explicit State(const HorizonOptions& o) : file_(o.state) {
+  explicit State(const HorizonOptions& o) : file_(o.state), progress_(o.progress) {
     const json what{{"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}};
     all_ = {{"horizons", 1}, {"options", what}, {"paths", json::object()}};
     if (file_.empty() || !std::filesystem::exists(file_)) return;
@@ -238,6 +238,10 @@ class State {
     const std::lock_guard lock(mutex_);
     return all_["paths"].value(path, json());
   }
+  void tell(const std::string& path, double share) {
+    const std::lock_guard lock(mutex_);
+    if (progress_) progress_(path, share);
+  }
   /// Writes the file at most every ten seconds, and when a path ends.
   void put(const std::string& path, json state, bool end) {
     if (file_.empty()) return;
@@ -251,6 +255,7 @@ class State {
 
  private:
   std::string file_;
+  std::function<void(const std::string&, double)> progress_;
   std::mutex mutex_;
   json all_;
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
@@ -276,7 +281,9 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
   for (std::uint64_t blocks = 0; errors.size() < at.size() && !stop_requested; ++blocks) {
     while (path.n() < at[errors.size()] && !stop_requested) {
       path.advance();
-      if (path.n() % (block << 14) == 0) write(false);
+      if (path.n() % (block << 14) != 0) continue;
+      write(false);
+      state.tell(name, static_cast<double>(path.n()) / static_cast<double>(at.back()));
     }
     if (stop_requested) break;
     const auto e = path.errors();

@@ -20,6 +20,8 @@ struct HorizonOptions {
   std::uint64_t seed = 42;
   unsigned jobs = 1;
   std::string state;  ///< a file from which a path goes on, or ""
+  /// The name of a path and the share of its steps that is done. Threads call it one after another.
+  std::function<void(const std::string&, double)> progress;
 };
 
 /// After n steps, over all paths.

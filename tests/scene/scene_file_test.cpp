@@ -212,6 +212,10 @@ TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
   EXPECT_NE(refusalOfText("a: &x [*x]\n"), "nothing");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
+  // yaml-cpp's LoadAll returns documents without end here.
+  EXPECT_EQ(refusalOfText(", a: 1}\n"), "s.yaml:1: is not YAML: a value cannot begin so");
+  EXPECT_EQ(refusalOfText("a: 1\n---\nb: 2\n"),
+            "s.yaml:2: contains several documents: a scene is one document");
 }
 
 /// The seconds to read a scene and plan it.

@@ -146,7 +146,7 @@ struct SplitDot {
 /// high parts is rounded too. Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
 template <Scalar S>
 [[gnu::always_inline]] inline S rounded_product(const DoubleWord<S>& a, const DoubleWord<S>& b) {
-#if defined(__FMA__)
+#if defined(LIECHECK_FMA)
   if constexpr (std::is_floating_point_v<Lane<S>>)
     return mul_add(a.high, b.high, mul_add(a.low, S(b.high + b.low), S(a.high * b.low)));
 #endif
@@ -155,7 +155,7 @@ template <Scalar S>
 }
 template <Scalar S>
 [[gnu::always_inline]] inline S rounded_square(const DoubleWord<S>& a) {
-#if defined(__FMA__)
+#if defined(LIECHECK_FMA)
   if constexpr (std::is_floating_point_v<Lane<S>>)
     return mul_add(a.high, a.high, S(a.low * (a.high + S(a.high + a.low))));
 #endif

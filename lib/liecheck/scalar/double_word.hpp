@@ -42,7 +42,7 @@ DoubleWord<S> split(const S& a) {
 template <Scalar S>
 DoubleWord<S> two_prod(const S& a, const S& b) {
   const S p = a * b;
-#if defined(__FMA__)
+#if defined(LIECHECK_FMA)
   if constexpr (std::is_floating_point_v<S>) return {p, std::fma(a, b, -p)};
 #endif
   const auto [ah, al] = split(a);

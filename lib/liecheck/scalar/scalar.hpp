@@ -5,6 +5,12 @@
 // + - * / sqrt. Boost's float128 and cpp_bin_float are tested. Mathematical functions are found by
 // argument-dependent look-up (`using std::sqrt; sqrt(x)`), so a scalar type provides its own functions.
 
+/// Defined if the target has fused multiply-adds. gcc and clang may then fuse any a * b + c, also one that a proof assumes to
+/// be rounded twice, so that the formulas with std::fma are used.
+#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA)
+#define LIECHECK_FMA
+#endif
+
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -109,7 +115,7 @@ template <Scalar S>
 /// a * b + c, rounded once if the target has the instruction, otherwise twice. Error bounds hold for both.
 template <Scalar S>
 [[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
-#if defined(__FMA__)
+#if defined(LIECHECK_FMA)
   if constexpr (std::is_floating_point_v<S>) return std::fma(a, b, c);
 #endif
   return a * b + c;

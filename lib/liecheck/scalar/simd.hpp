@@ -140,11 +140,11 @@ struct Simd {
   [[gnu::always_inline]] friend Simd mul_add(const Simd& a, const Simd& b, const Simd& c) {
 #if defined(__FMA__)
     // gcc splits a vector that is made of fused numbers if not all of them are used.
-    if constexpr (std::is_same_v<S, double> && N == 4)
-      return Vector(_mm256_fmadd_pd(a.v, b.v, c.v));
-    else if constexpr (std::is_same_v<S, double> && N == 2)
-      return Vector(_mm_fmadd_pd(a.v, b.v, c.v));
-    else if constexpr (std::floating_point<S>)
+    if constexpr (std::is_same_v<S, double> && N == 4) return Vector(_mm256_fmadd_pd(a.v, b.v, c.v));
+    if constexpr (std::is_same_v<S, double> && N == 2) return Vector(_mm_fmadd_pd(a.v, b.v, c.v));
+#endif
+#if defined(LIECHECK_FMA)
+    if constexpr (std::floating_point<S>)
       return each([&](int i) __attribute__((always_inline)) { return std::fma(a.v[i], b.v[i], c.v[i]); });
 #endif
     if constexpr (in_register || in_halves)

@@ -12,17 +12,13 @@
 //     c_k = 1/k! - x c_{k+2}                   (Stumpff 1959; Stiefel & Scheifele 1971, eq. 11.27)
 //
 // whose subtraction cancels at most a factor 1.6. The values at x itself follow by doubling the angle:
-//
 //     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
 //
-// The error has no jump, since there is no threshold at small angles: the number of terms follows from the
-// digits of the scalar. The only branch is at theta = pi, beyond which sines are as accurate as the series.
+// The error has no jump, since no threshold is at small angles: the number of terms follows from the scalar's digits.
+// The only branch is at theta = pi, beyond which sines are as accurate. d c_k / dx = (k c_{k+2} - c_{k+1}) / 2.
 //
-// Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
-//
-// The error bounds below are verified in float at every argument (`liecheck sweep`; HalfAngle with x.low = 0,
-// LogarithmCoefficients with cosine = 1). The bounds of the polynomials are proved, in float and double, with
-// and without fused multiply-adds (tests/proofs). For wider scalars only random arguments are tested.
+// The error bounds below are verified in float at every argument (`liecheck sweep`; x.low = 0, cosine = 1). Those of the
+// polynomials are proved in float and double (tests/proofs). For wider scalars only random arguments are tested.
 
 #include <array>
 #include <bit>
@@ -258,7 +254,8 @@ struct SmallAngle {
 /// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where e = r^2 |Q|^2 - 1
 /// and r = fl(1/|Q|), or r = 1 if |Q| is 1 up to rounding errors. If |v|^2 underflows, the results are 2/w, 1
 /// and 0. Precondition: w >= 0, and |Q|^2 is a normal number. Relative error if |Q|^2 is in [1/8, 8] and
-/// known to a relative error of eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
+/// known to a relative error of eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps. In `along`,
+/// |v|^2 + eps^2 keeps a rounding error of 1 - alpha small where |v|^2 is tiny.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
@@ -280,7 +277,7 @@ struct LogarithmCoefficients {
     ratio.low = ratio.high * mul_add(S(-half_e), S(1) + series, series);
     angle_over_sine = ratio.high + ratio.low;
     alpha = angle_over_sine * cosine.high / S(2);
-    along = mul_add(S(-series), S(S(1) - s), s) * (S(1) / (squared_sine + std::numeric_limits<S>::min()));
+    along = mul_add(S(-series), S(S(1) - s), s) * (S(1) / (squared_sine + eps<S>() * eps<S>()));
   }
 
  private:
@@ -336,11 +333,14 @@ template <Scalar S>
   return k;
 }
 
-/// theta = |phi| from theta^2 = x, which may have overflowed.
+/// theta = |phi| from theta^2 = x, which may have overflowed: to the largest number, if the processor rounds down.
 template <Scalar S, class Vector>
 S large_angle(const Vector& phi, const S& x) {
-  using std::sqrt;
-  return finite(x) ? S(sqrt(x)) : S(phi.stableNorm());
+  using std::ldexp, std::sqrt;
+  if (x < std::numeric_limits<S>::max() / S(4)) return sqrt(x);
+  const S scale = S(ldexp(S(1), -std::numeric_limits<S>::max_exponent / 2 - 2)),
+          xx = (scale * phi).squaredNorm();
+  return S(sqrt(xx)) / scale;
 }
 
 }  // namespace stumpff_detail

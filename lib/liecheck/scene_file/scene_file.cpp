@@ -1,5 +1,7 @@
 #include <liecheck/scene_file/scene_file.hpp>
 
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/text/utf8.hpp>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 namespace liecheck {
@@ -162,6 +165,31 @@ void warnOfOpenLoops(const Text& text, const Scene& scene, std::vector<std::stri
   }
 }
 
+/// The line where the second document of a YAML text begins, or 0. YAML::LoadAll would not end on a text that begins
+/// with ',' (yaml-cpp 0.7).
+int lineOfSecondDocument(const std::string& content) {
+  struct Start final : YAML::EventHandler {
+    YAML::Mark mark;
+    void OnDocumentStart(const YAML::Mark& m) override { mark = m; }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                         YAML::EmitterStyle::value) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                    YAML::EmitterStyle::value) override {}
+    void OnMapEnd() override {}
+  };
+  std::istringstream stream(content);
+  YAML::Parser parser(stream);
+  Start first, second;
+  if (!parser.HandleNextDocument(first) || !parser.HandleNextDocument(second)) return 0;
+  if (second.mark.pos == first.mark.pos) throw YAML::ParserException(first.mark, "a value cannot begin so");
+  return second.mark.line + 1;
+}
+
 Scene read(const Text& text, const std::string& content, const std::string& folder,
            std::vector<std::string>& warnings) {
   if (content.size() > max_scene_bytes)
@@ -171,10 +199,9 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     text.refuse(1 + int(std::count(content.begin(), content.begin() + long(bad), '\n')), "is not UTF-8");
   YAML::Node root;
   try {
-    const auto documents = YAML::LoadAll(content);
-    if (documents.size() > 1)
-      text.refuse(Text::lineOf(documents[1]), "contains several documents: a scene is one document");
-    if (!documents.empty()) root = documents[0];
+    if (const int line = lineOfSecondDocument(content))
+      text.refuse(line, "contains several documents: a scene is one document");
+    root = YAML::Load(content);
   } catch (const YAML::Exception& e) {
     text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is not YAML: " + e.msg);
   }

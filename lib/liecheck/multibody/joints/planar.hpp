@@ -98,9 +98,9 @@ struct Planar {
     const S omega = Continuous<S>::difference(q0.template tail<2>(), q1.template tail<2>())[0];
     const Vector2 u = unit(q0);
     const S dx = q1[0] - q0[0], dy = q1[1] - q0[1];
-    // omega may be pi rounded up. Its rotation has a negative w, and the logarithm would be that of -pi.
+    // omega may be pi rounded up. Its rotation has a w below 0, or -0, and the logarithm would be that of -pi.
     const SO3<S> turn = quaternion::exp3<S>(Vector3<S>(S(0), S(0), omega));
-    const SO3<S> Q(turn.vec(), turn.w() < S(0) ? S(0) : turn.w());
+    const SO3<S> Q(turn.vec(), S(0) < turn.w() ? turn.w() : S(0));
     const Vector3<S> rho = exp_log_detail::RotationLogarithm<S>(Q, Q.normExcessDoubleWord())
                                .arc(Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
     return Tangent(rho[0], rho[1], omega);
