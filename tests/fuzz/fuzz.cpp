@@ -32,7 +32,9 @@ void check_message(const std::string& what) {
 
 int fuzz(const Entrance& e, std::uint64_t inputs, std::uint64_t seed) {
   if (e.corpus.empty()) return fmt::print(stderr, "fuzz: no text to mutate for {}\n", e.name), 2;
-  liecheck::test::Mutator mutator(seed, e.words);
+  std::size_t longest = 20000;
+  for (const std::string& text : e.corpus) longest = std::max(longest, text.size() + 1000);
+  liecheck::test::Mutator mutator(seed, e.words, longest);
   liecheck::properties::Progress progress("fuzz " + e.name);
   const bool keep = std::getenv("LIECHECK_FUZZ_KEEP") != nullptr;
   const auto write = [&](const char* ending, const std::string& text) {
