@@ -337,7 +337,7 @@ template <Scalar S>
 template <Scalar S, class Vector>
 S large_angle(const Vector& phi, const S& x) {
   using std::ldexp, std::sqrt;
-  if (x < std::numeric_limits<S>::max() / S(4)) return sqrt(x);
+  if (x < S(ldexp(S(1), std::numeric_limits<S>::max_exponent - 4))) return sqrt(x);
   const S scale = S(ldexp(S(1), -std::numeric_limits<S>::max_exponent / 2 - 2)),
           xx = (scale * phi).squaredNorm();
   return S(sqrt(xx)) / scale;
