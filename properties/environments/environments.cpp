@@ -67,9 +67,9 @@ Environment musl() {
 Environment wasm() {
   Environment e = build("wasm", "em++", "-O2 -fexceptions -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1",
                         {{Need::program, "node", "apt-get install nodejs"}});
-  e.needs.front().get = "apt-get install emscripten";
+  e.needs.front().get = "apt-get install emscripten node-acorn";
   e.what += ", run by node";
-  e.run = "node", e.ending = ".js";
+  e.run = "node --no-experimental-fetch", e.ending = ".js";  // else this emscripten fetches its file as a URL
   return e;
 }
 
