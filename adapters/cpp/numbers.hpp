@@ -63,7 +63,8 @@ struct Program {
 /// The one of the operation, or null.
 template <std::size_t n>
 const char* program_for(const Program (&all)[n], std::string_view operation) {
-  const Program* const at = std::find_if(all, all + n, [&](const Program& p) { return p.operation == operation; });
+  const Program* const at =
+      std::find_if(all, all + n, [&](const Program& p) { return p.operation == operation; });
   return at == std::end(all) ? nullptr : at->text;
 }
 

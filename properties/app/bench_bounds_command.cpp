@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <app/command.hpp>
 #include <bounds/bounds.hpp>
 #include <cmath>
@@ -34,7 +35,7 @@ class State {
     return nullptr;
   }
   void add(const ProvedBound& b) {
-    if (file_.empty() || b.boxes < boxes_) return;
+    if (file_.empty() || b.boxes < boxes_ || !std::isfinite(b.bound)) return;
     done_.push_back(b);
     nlohmann::json all = nlohmann::json::array();
     for (const ProvedBound& d : done_)
@@ -119,8 +120,10 @@ int run(const Flags& f) {
     o.operations = open;
     run_bounds(o, [&](const ProvedBound& b) { state.add(b), show(b); });
   }
-  const bool complete = !stop_requested;
-  if (!complete)
+  // Without a finite bound nothing is proved.
+  const bool complete = !stop_requested &&
+                        std::all_of(rows.begin(), rows.end(), [](auto& b) { return std::isfinite(b.bound); });
+  if (stop_requested)
     fmt::print(stderr, "interrupted: the bounds hold, but more boxes would lower them{}\n",
                f.state.empty() ? "" : "; the same command goes on with " + f.state);
   if (!f.json.empty()) write_record(f.json, record_of(rows, complete, failed));
@@ -143,7 +146,7 @@ Command bench_bounds_command(CLI::App& bench) {
                        "the largest errors that "
                        "searches found. Exit code 0 if they agree; 1 if a search found more, or a claim is "
                        "not proved; 2 for bad "
-                       "input; 3 if stopped");
+                       "input; 3 if stopped, or if the boxes are too few for a bound");
   a.list("--operation", a->options.operations, "OP",
          "an operation that has a proof, repeatable; default all");
   a.number("--boxes", a->options.boxes, 1, 1'000'000'000,

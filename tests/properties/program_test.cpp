@@ -83,11 +83,13 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("--frob", "unknown option '--frob'");
   refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
-  refused("bench nope",
-          "unknown command 'nope'; commands of bench: batches, bounds, bugs, history, horizons, lattice, limits, "
-          "rounding, speed, wire");
-  refused("bench",
-          "bench: which one? batches, bounds, bugs, history, horizons, lattice, limits, rounding, speed, wire");
+  refused(
+      "bench nope",
+      "unknown command 'nope'; commands of bench: batches, bounds, bugs, history, horizons, lattice, limits, "
+      "rounding, speed, wire");
+  refused(
+      "bench",
+      "bench: which one? batches, bounds, bugs, history, horizons, lattice, limits, rounding, speed, wire");
   refused("league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
   refused("league --only nope", "--only: unknown library 'nope'; known: ");
   refused("league nope", "unknown command 'nope'; commands of league: findings, changes, measure, tellings");
