@@ -26,6 +26,7 @@ struct Flags {
 std::string broken(const Horizon& h) {
   const HorizonPoint& last = h.points.back();
   const double root = std::sqrt(static_cast<double>(last.n));
+  if (h.walk == "back_repeated") return "";
   if (h.walk == "back") return last.attitude <= 8 * root ? "" : "more than 8 sqrt(n) eps";
   if (last.norm > 4) return "norm beyond 4 eps";
   if (h.walk == "random" && h.points.size() > 6 && h.low > 0.5) return "faster than sqrt(n)";
@@ -107,7 +108,7 @@ Command bench_horizons_command(CLI::App& bench) {
   a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
   a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");
   a.list("--walk", a->walks, "WALK",
-         "pure, coning, random, first_order, full or back, repeatable; default all");
+         "pure, coning, random, first_order, full, back or back_repeated, repeatable; default all");
   a.number("--steps", a->options.steps, 64, 100'000'000'000, "calls of each path");
   a.number("--paths", a->options.paths, 1, 64, "paths with other random numbers");
   a.seed(a->options.seed, "seed of the increments");

@@ -45,8 +45,15 @@ double uniform(std::uint64_t x) {  // in [-1, 1)
   return std::ldexp(static_cast<double>(mixed(x) >> 11), -52) - 1;
 }
 
-/// 64 increments of a walk: pure is 1e-3 rad about one axis; coning has an axis that goes round; others are random, up to
-/// 0.1 rad a component.
+/// A random increment, up to 0.1 rad a component.
+template <class S>
+Vec<S, 3> random_increment(std::uint64_t key, std::uint64_t k) {
+  Vec<S, 3> phi;
+  for (int i = 0; i < 3; ++i) phi[i] = S(0.1 * uniform(mixed(key) + 3 * k + static_cast<std::uint64_t>(i)));
+  return phi;
+}
+
+/// 64 increments of a walk: pure is 1e-3 rad about one axis; coning has an axis that goes round; others are random.
 template <class S>
 std::array<Vec<S, 3>, block> increments(const std::string& walk, std::uint64_t key) {
   std::array<Vec<S, 3>, block> all;
@@ -57,8 +64,7 @@ std::array<Vec<S, 3>, block> increments(const std::string& walk, std::uint64_t k
     else if (walk == "coning")
       all[k] = {S(1e-2 * std::cos(turn)), S(1e-2 * std::sin(turn)), S(1e-3)};
     else
-      for (int i = 0; i < 3; ++i)
-        all[k][i] = S(0.1 * uniform(mixed(key) + 3 * k + static_cast<std::uint64_t>(i)));
+      all[k] = random_increment<S>(key, k);
   }
   return all;
 }
@@ -102,34 +108,32 @@ class Path {
  public:
   Path(const Operations<S>& o, const std::string& walk, const Increments<S>& increments, std::uint64_t seed,
        unsigned number)
-      : o_(o), walk_(walk), increments_(increments), seed_(seed), number_(number) {
+      : o_(o), walk_(walk), back_(is_back(walk)), increments_(increments), seed_(seed), number_(number) {
     X_.R.setIdentity(), X_.p.setZero();
     q_ << 0, 0, 0, 0, 0, 0, 1;
   }
   static bool offered(const Operations<S>& o, const std::string& walk) {
     if (walk == "first_order") return o[op::exp3_quaternion] && o[op::first_order_normalize];
     if (walk == "full") return o[op::exp3_quaternion] && o[op::normalize];
-    if (walk == "back") return o[op::exp6] && o[op::compose] && o[op::inverse];
+    if (is_back(walk)) return o[op::exp6] && o[op::compose] && o[op::inverse];
     return o[op::integrate] != nullptr;
   }
 
   std::uint64_t n() const { return n_; }
   void advance() {
-    const std::size_t s = increments_.sequence(seed_, number_, n_ / block);
-    for (const auto& phi : increments_.phi[s]) step(phi);
-    if (walk_ != "back") truth_ = oracles::quaternion_product(truth_, increments_.product[s]);
+    for (std::uint64_t k = 0; k < block; ++k) step(increment(n_ + k));
+    if (!back_)
+      truth_ = oracles::quaternion_product(
+          truth_, increments_.product[increments_.sequence(seed_, number_, n_ / block)]);
     n_ += block;
     norm_ = std::max(norm_, defect());
   }
   /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. The walk back is made for it.
   std::pair<double, double> errors() const {
-    if (walk_ != "back") return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
+    if (!back_) return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
     Path there = *this;
-    for (std::uint64_t at = n_ / block; at-- > 0 && !stop_requested;) {
-      const auto& phi = increments_.phi[increments_.sequence(seed_, number_, at)];
-      for (std::size_t k = block; k-- > 0;)
-        there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(phi[k])));
-    }
+    for (std::uint64_t at = n_; at-- > 0 && (at % block != 0 || !stop_requested);)
+      there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(increment(at))));
     return {norm_ / eps,
             (there.X_.R - Mat<S, 3>::Identity()).template cast<double>().norm() / std::sqrt(2) / eps};
   }
@@ -157,8 +161,13 @@ class Path {
  private:
   static constexpr double eps = std::numeric_limits<S>::epsilon();
 
+  static bool is_back(const std::string& walk) { return walk.starts_with("back"); }
+  Vec<S, 3> increment(std::uint64_t at) const {
+    if (walk_ == "back") return random_increment<S>(seed_ + number_, at);
+    return increments_.phi[increments_.sequence(seed_, number_, at / block)][at % block];
+  }
   void step(const Vec<S, 3>& phi) {
-    if (walk_ == "back") {
+    if (back_) {
       X_ = o_[op::compose](X_, pose(phi));
     } else if (walk_ == "first_order" || walk_ == "full") {
       const Vec<S, 4> Q = product<S>(q_.template tail<4>(), o_[op::exp3_quaternion](phi));
@@ -175,7 +184,7 @@ class Path {
     return o_[op::exp6](xi);
   }
   double defect() const {
-    if (walk_ == "back")
+    if (back_)
       return (X_.R.template cast<double>().transpose() * X_.R.template cast<double>() -
               Mat<double, 3>::Identity())
           .norm();
@@ -196,6 +205,7 @@ class Path {
 
   const Operations<S>& o_;
   std::string walk_;
+  bool back_;  ///< it composes, and goes back
   const Increments<S>& increments_;
   std::uint64_t seed_;
   unsigned number_;
