@@ -90,12 +90,12 @@ Child::Child(const std::string& command, double timeout_s) {
 
 Child::~Child() {
   close(to_), close(from_);
-  if (!ended_) {
+  if (!ended_ && pid_ > 0) {
     kill(-pid_, SIGKILL), kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
   }
   pass_on(errors());
-  close(errors_);
+  if (errors_ >= 0) close(errors_);
 }
 
 std::string Child::errors() {
@@ -183,7 +183,7 @@ void Child::read_some(const std::string& late) {
 /// The pipe is closed, so the process has ended or will never answer.
 std::string Child::how_it_ended() {
   int status = 0;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 50 && pid_ > 0; ++i) {
     if (waitpid(pid_, &status, WNOHANG) == pid_) {
       ended_ = true;
       kill(-pid_, SIGKILL);  // what it started

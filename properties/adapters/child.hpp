@@ -5,6 +5,7 @@
 
 #include <adapters/adapter.hpp>
 #include <chrono>
+#include <functional>
 
 namespace liecheck::properties::adapters {
 
@@ -21,6 +22,9 @@ std::string quoted(std::string text);
 class Child {
  public:
   Child(const std::string& command, double timeout_s);
+  /// Something that is no process: what it reads is written to one file, and what it says is read from the other. Both are
+  /// closed at the end.
+  Child(int to, int from, double timeout_s) : to_(to), from_(from) { set_timeout(timeout_s); }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
@@ -54,5 +58,11 @@ class Child {
   bool ended_ = false;
   std::string buffer_;
 };
+
+/// Starts the adapter that a Process speaks with, and starts it again after it failed.
+using Opener = std::function<std::unique_ptr<Child>(double timeout_s)>;
+
+/// start_process with another way to start the adapter.
+std::unique_ptr<Adapter> start_with(Opener opener, double timeout_s);
 
 }  // namespace liecheck::properties::adapters

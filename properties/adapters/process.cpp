@@ -109,7 +109,7 @@ class Process : public Adapter {
  protected:
   explicit Process(double timeout_s) : timeout_s_(timeout_s) {}
   void start() {
-    child_ = std::make_unique<Child>(command(), timeout_s_ + start_s);
+    child_ = child(timeout_s_ + start_s);
     child_->begin();
     const std::string hello = std::string(greeting) + "\n";
     child_->write(hello.data(), hello.size());
@@ -121,7 +121,7 @@ class Process : public Adapter {
     if (!b.of_many) say_failed(description_.name, b.operation.operation, how, child_ ? child_->errors() : "");
     child_.reset();
   }
-  virtual std::string command() = 0;
+  virtual std::unique_ptr<Child> child(double timeout_s) = 0;
   virtual std::string exchange(Child& child, const Batch& b) = 0;
 
   static constexpr double of_many_s = 1;  ///< a campaign calls as many inputs at once as take 0.1 s
@@ -133,12 +133,12 @@ class Process : public Adapter {
 
 class ProtocolProcess final : public Process {
  public:
-  ProtocolProcess(std::string command, double timeout_s) : Process(timeout_s), command_(std::move(command)) {
+  ProtocolProcess(Opener opener, double timeout_s) : Process(timeout_s), opener_(std::move(opener)) {
     start();
   }
 
  private:
-  std::string command() override { return command_; }
+  std::unique_ptr<Child> child(double timeout_s) override { return opener_(timeout_s); }
   std::string exchange(Child& child, const Batch& b) override {
     child.begin();
     if (const std::string refusal = told(child, b.model); !refusal.empty()) {
@@ -182,7 +182,8 @@ class ProtocolProcess final : public Process {
     return "";
   }
 
-  std::string command_, model_;
+  Opener opener_;
+  std::string model_;
 };
 
 class LibraryProcess final : public Process {
@@ -190,11 +191,12 @@ class LibraryProcess final : public Process {
   LibraryProcess(std::string file, double timeout_s) : Process(timeout_s), file_(std::move(file)) { start(); }
 
  private:
-  std::string command() override {
+  std::unique_ptr<Child> child(double timeout_s) override {
     new (&*memory_) Exchange;
-    return fmt::format("exec {} adapter serve {} --memory {}",
-                       shell_quoted(std::filesystem::read_symlink("/proc/self/exe")), shell_quoted(file_),
-                       memory_.path());
+    return std::make_unique<Child>(fmt::format("exec {} adapter serve {} --memory {}",
+                                               shell_quoted(std::filesystem::read_symlink("/proc/self/exe")),
+                                               shell_quoted(file_), memory_.path()),
+                                   timeout_s);
   }
   std::string exchange(Child& child, const Batch& b) override {
     std::string why;
@@ -230,7 +232,12 @@ class LibraryProcess final : public Process {
 }  // namespace
 
 std::unique_ptr<Adapter> start_process(const std::string& command, double timeout_s) {
-  return std::make_unique<ProtocolProcess>(command, timeout_s);
+  return start_with([command](double timeout) { return std::make_unique<Child>(command, timeout); },
+                    timeout_s);
+}
+
+std::unique_ptr<Adapter> start_with(Opener opener, double timeout_s) {
+  return std::make_unique<ProtocolProcess>(std::move(opener), timeout_s);
 }
 
 std::unique_ptr<Adapter> start_library(const std::string& file, double timeout_s) {

@@ -34,7 +34,8 @@ std::string first_error(const std::string& output) {
   std::string first;
   for (std::string line; std::getline(lines, line);) {
     if (first.empty()) first = line;
-    if (line.find("error") != line.npos || line.find("undefined reference") != line.npos) return line;
+    for (const char* sign : {"error", "undefined reference", "cannot find"})
+      if (line.find(sign) != line.npos) return line;
   }
   return first.empty() ? "the compiler failed" : first;
 }

@@ -37,12 +37,11 @@ Environment emulated(const std::string& architecture) {
 }
 
 /// Run by qemu, since many kernels no longer run programs of 32 bits.
-Environment of_32_bits(const std::string& name, const std::string& flags, Promise promise) {
+Environment of_32_bits(const std::string& name, const std::string& flags) {
   Environment e = build(
       name, "g++", "-O2 -m32 " + flags + " -static -idirafter /usr/include/x86_64-linux-gnu",
       {{Need::file, "/usr/lib/gcc/x86_64-linux-gnu/12/32/libstdc++.a", "apt-get install g++-12-multilib"},
-       {Need::program, "qemu-i386", "apt-get install qemu-user"}},
-      promise);
+       {Need::program, "qemu-i386", "apt-get install qemu-user"}});
   e.what += ", run by qemu-i386";
   e.run = "qemu-i386 -cpu max";
   return e;
@@ -54,13 +53,13 @@ Environment musl() {
   Environment e = build("musl-libm", "g++", "-O2", {{Need::file, archive, "apt-get install musl-dev"}});
   e.what += ", sin, cos, atan2, hypot, ... of musl's libm";
   e.prepare = fmt::format(
-      "mkdir -p musl && cd musl && ar x {0} $(ar t {0} | grep -E "
+      "rm -rf musl && mkdir musl && cd musl && ar x {0} $(ar t {0} | grep -E "
       "'^(__(cos|sin|tan|rem_pio2|math|expo2)[a-z0-9_]*|(sin|cos|tan|sincos|asin|acos|atan|atan2|hypot|exp|"
       "exp2|log|log2|"
       "pow|fma|remainder|remquo|fmod|ldexp|scalbn|frexp|floor|ceil|rint|round|trunc|cbrt)f?|"
-      "(exp|exp2f|log|logf|log2|log2f|pow|powf)_data)[.]o$')",
+      "(exp|exp2f|log|logf|log2|log2f|pow|powf)_data)[.]l?o$')",
       archive);
-  e.link = "-no-pie musl/*.o";
+  e.link = "-no-pie musl/*o";  // .o or .lo
   return e;
 }
 
@@ -89,8 +88,9 @@ std::vector<Environment> make() {
       build("clang-O2", "clang++", "-O2"),
       build("clang-O3-v3", "clang++", "-O3 -march=x86-64-v3 -ffp-contract=fast", {v3}),
       build("clang-libc++", "clang++", "-O2 -stdlib=libc++", {libcxx}),
-      of_32_bits("gcc-x87", "-mfpmath=387", Promise::fourfold),
-      of_32_bits("gcc-m32-sse2", "-msse2 -mfpmath=sse", Promise::same),
+      build("gcc-x87", "g++", "-O2 -mfpmath=387", {{Need::processor, "sse2", "a processor of x86-64"}}),
+      of_32_bits("gcc-m32-x87", "-mfpmath=387"),
+      of_32_bits("gcc-m32-sse2", "-msse2 -mfpmath=sse"),
       musl(),
       emulated("aarch64"),
       emulated("riscv64"),

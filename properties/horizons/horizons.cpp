@@ -1,4 +1,5 @@
 #include <horizons/horizons.hpp>
+#include <horizons/scene_horizons.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -340,7 +341,7 @@ bool measure_in(const HorizonOptions& o, State& state, const std::function<void(
     for (const Subject<S>* s : subjects<S>()) {
       if (s->name != name) continue;
       for (const std::string& walk : o.walks) {
-        if (!Path<S>::offered(s->operations, walk)) continue;
+        if (walk == "scene" || !Path<S>::offered(s->operations, walk)) continue;
         HorizonOptions own = o;
         if (walk == "pure" || walk == "coning") own.paths = 1;  // they have no random numbers
         const auto h = measured(*s, walk, own, state);
@@ -385,7 +386,10 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
   State state(o);
-  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report);
+  const bool scenes = std::ranges::count(o.walks, "scene") && std::ranges::count(o.subjects, "liecheck") &&
+                      std::ranges::count(o.scalars, "double");
+  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report) &&
+         (!scenes || measure_scene_horizons(o, report));
 }
 
 }  // namespace liecheck::properties

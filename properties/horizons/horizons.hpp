@@ -10,8 +10,8 @@
 namespace liecheck::properties {
 
 /// The ways in which an attitude is moved.
-inline const std::vector<std::string> horizon_walks{"pure", "coning", "random",       "first_order",
-                                                    "full", "back",   "back_repeated"};
+inline const std::vector<std::string> horizon_walks{"pure", "coning", "random",        "first_order",
+                                                    "full", "back",   "back_repeated", "scene"};
 
 struct HorizonOptions {
   std::vector<std::string> subjects{"liecheck"}, scalars{"float", "double"}, walks = horizon_walks;

@@ -1,7 +1,10 @@
 #include "entrances.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <adapters/adapter.hpp>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <adapters/child.hpp>
 #include <app/command_line.hpp>
 #include <budgets/limits.hpp>
 #include <campaign/case_id.hpp>
@@ -260,22 +263,28 @@ const std::map<std::string, Maker>& makers() {
                            return true;
                          }};
        }},
-      {"wire", [](const fs::path&, const fs::path& scratch) {
-         // The child writes what stands in the file and ends, whatever it is asked.
-         const std::string file = (scratch / "answer").string();
+      {"wire", [](const fs::path&, const fs::path&) {
          const std::string hello =
              "{\"protocol\": 1, \"name\": \"mylib\", \"version\": \"2.1\", \"operations\": "
              "{\"exp3_quaternion\": [\"double\"]}}\n";
-         std::string bytes(1 + 4 * 8, '\0');
+         const std::string bytes(1 + 4 * 8, '\0');
          return Entrance{
              "",
-             {hello + "done 1\n" + bytes, hello + "done 1 because\n" + bytes, hello + "refused\n"},
-             {"done 1\n", "done 2\n", "refused\n", "\n", "\"protocol\": 2", "\"float\"", "{}", "[]",
-              "\"trees\": {\"models\": [\"urdf\"]}"},
-             [file](const std::string& text) {
-               write(file, text);
-               const auto adapter =
-                   adapters::start_process(fmt::format("cat '{}'", file), 0.5);
+             {hello + "done 1\n" + bytes, hello + "done 1 because\n" + bytes, hello + "refused\n",
+              hello + "done\ndone 1\n" + bytes, hello + "refused too many joints\n"},
+             {"done 1\n", "done 2\n", "done\n", "refused\n", "\n", "\"protocol\": 2", "\"float\"", "{}", "[]",
+              "\"conventions\": {}", "\"source\": {}", "\"trees\": {\"models\": [\"urdf\"]}"},
+             [](const std::string& text) {
+               // The adapter says the text and ends, whatever it is asked.
+               const auto adapter = adapters::start_with(
+                   [&](double timeout_s) {
+                     const int from = ::memfd_create("answers", MFD_CLOEXEC);
+                     if (::pwrite(from, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+                       throw std::runtime_error("no memory for a file");
+                     return std::make_unique<adapters::Child>(::open("/dev/null", O_WRONLY | O_CLOEXEC), from,
+                                                              timeout_s);
+                   },
+                   0.5);
                const auto& sizes = adapters::operation_sizes();
                const auto at = std::find_if(sizes.begin(), sizes.end(),
                                             [](auto& s) { return s.operation == "exp3_quaternion"; });
@@ -283,7 +292,8 @@ const std::map<std::string, Maker>& makers() {
                std::array<double, 4> out{};
                std::array<adapters::Status, 1> status{};
                adapter->call({*at, true, 1, std::as_bytes(std::span(in)),
-                              std::as_writable_bytes(std::span(out)), status});
+                              std::as_writable_bytes(std::span(out)), status,
+                              text.size() % 2 ? "a model" : ""});
                return true;
              }};
        }}};

@@ -71,7 +71,7 @@ const std::vector<Room> harness = {
       "campaign", "search", "failures"}},
     {"environments",
      {"support", "generators", "budgets", "subjects", "invariants", "adapters", "campaign", "hard_cases"}},
-    {"horizons", {"support", "oracles", "operations", "subjects", "campaign"}},
+    {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes"}},
     {"bounds", {"lib", "support", "budgets"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",

@@ -1,5 +1,5 @@
-// The program where the machine is not as usual: odd paths, no HOME, a locale with a decimal comma, files from the
-// future, a full disk. It computes the same, or says what is wrong and loses nothing.
+// The program where the machine is not as usual: odd paths, no HOME, a locale with a decimal comma, a clock that
+// is set back, files from the future, a full disk, a quota. It computes the same, or says what is wrong and loses nothing.
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -45,6 +45,11 @@ class Faults : public testing::Test {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 };
+
+/// The beginning of a line whose commands run with a changed system: tests/adapters/odd_machine.c.
+std::string preloaded(const std::string& how) {
+  return "export ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" LIECHECK_ODD_MACHINE "' " + how + "; ";
+}
 
 const std::string campaign =
     "$L campaign --no-hard-cases --property exp_oracle --subject liecheck --scalar double --cases 50 -j 2 ";
@@ -109,6 +114,16 @@ TEST_F(Faults, ALocaleWithADecimalCommaChangesNothing) {
       shell);
 }
 
+TEST_F(Faults, AClockThatIsSetBackChangesNothing) {
+  const fs::path odd = fs::path(scratch()) / "clock";
+  fs::create_directories(odd);
+  const std::string back = preloaded("LIECHECK_CLOCK=back");
+  ASSERT_EQ(shell(odd, back + "test $(date +%s) -lt $(( $(env -u LD_PRELOAD date +%s) - 3000 ))"), 0);
+  expect_the_same(
+      usual, odd, [&](const fs::path& folder, const std::string& line) { return shell(folder, back + line); },
+      shell);
+}
+
 // A clock that was set back: what is there comes from the future.
 TEST_F(Faults, FilesFromTheFutureAreUsedAsOthers) {
   fs::remove(usual / "s.db");
@@ -138,6 +153,41 @@ class Disk {
   bool there_;
 };
 
+/// Runs commands in a folder after the line `before`, where files may end early. Returns how many ended with an error.
+int errors_of_commands(const fs::path& folder, const std::string& before,
+                       const std::function<int(const fs::path&, const std::string&)>& shell) {
+  int errors = 0;
+  for (const std::string& command :
+       {campaign + "--store s.db --json r.json", std::string("$L scene run \"$S\" --csv s.csv --json s.json"),
+        std::string("$L report --subject liecheck --cases 2 --no-cost --no-scenes --out page"),
+        std::string("$L hunt --subject textbook --op exp6 --evaluations 100 --corpus c.txt")}) {
+    // Its messages go to another disk.
+    const int code =
+        shell(fs::path(scratch()), before + "cd " + folder.filename().string() + " && " + command);
+    const std::string err = read(fs::path(scratch()) / "err");
+    EXPECT_TRUE(code == 0 || code == 1 || code == 2 || code == 3) << code << command << err;
+    if (code == 2) {
+      ++errors;
+      EXPECT_NE(err.find("liecheck: "), std::string::npos) << command << err;
+      EXPECT_NE(err.find(": "), err.rfind(": ")) << "it names no file and reason: " << command << err;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const std::string name = entry.path().string();
+      if (name.ends_with(".json")) {
+        EXPECT_TRUE(nlohmann::json::accept(read(name))) << name;
+      }
+      if (name.ends_with(".html")) {
+        EXPECT_TRUE(read(name).ends_with("</html>\n")) << name;
+      }
+      if (!name.ends_with(".db") || fs::file_size(name) == 0) continue;
+      Store store(name, Store::Open::existing);  // throws if it is not whole
+      for (int i = 1; i <= store.campaigns(); ++i) EXPECT_NO_THROW(store.load(i)) << name;
+    }
+    for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+  }
+  return errors;
+}
+
 // The disk is full at another place of the output in each round, and empty again afterwards.
 TEST_F(Faults, AFullDiskIsAnErrorThatLosesNothingThatWasStored) {
   const fs::path full = fs::path(scratch()) / "full";
@@ -146,34 +196,21 @@ TEST_F(Faults, AFullDiskIsAnErrorThatLosesNothingThatWasStored) {
     const Disk disk(full, std::to_string(4 * pages) + "k");
     if (!disk) GTEST_SKIP() << "this process may not mount a small disk";
     SCOPED_TRACE(pages);
-    for (const std::string& command :
-         {campaign + "--store s.db --json r.json",
-          std::string("$L scene run \"$S\" --csv s.csv --json s.json"),
-          std::string("$L report --subject liecheck --cases 2 --no-cost --no-scenes --out page"),
-          std::string("$L hunt --subject textbook --op exp6 --evaluations 100 --corpus c.txt")}) {
-      // Its messages go to another disk.
-      const int code = shell(fs::path(scratch()), "cd full && " + command);
-      const std::string err = read(fs::path(scratch()) / "err");
-      EXPECT_TRUE(code == 0 || code == 1 || code == 2 || code == 3) << code << command << err;
-      if (code == 2) {
-        ++errors;
-        EXPECT_NE(err.find("liecheck: "), std::string::npos) << command << err;
-        EXPECT_NE(err.find(": "), err.rfind(": ")) << "it names no file and reason: " << command << err;
-      }
-      for (const auto& entry : fs::recursive_directory_iterator(full)) {
-        const std::string name = entry.path().string();
-        if (name.ends_with(".json")) {
-          EXPECT_TRUE(nlohmann::json::accept(read(name))) << name;
-        }
-        if (name.ends_with(".html")) {
-          EXPECT_TRUE(read(name).ends_with("</html>\n")) << name;
-        }
-        if (!name.ends_with(".db") || fs::file_size(name) == 0) continue;
-        Store store(name, Store::Open::existing);  // throws if it is not whole
-        for (int i = 1; i <= store.campaigns(); ++i) EXPECT_NO_THROW(store.load(i)) << name;
-      }
-      for (const auto& entry : fs::directory_iterator(full)) fs::remove_all(entry.path());
-    }
+    errors += errors_of_commands(full, "", shell);
+  }
+  EXPECT_GT(errors, 10);
+}
+
+TEST_F(Faults, AQuotaIsAnErrorThatLosesNothingThatWasStored) {
+  const fs::path folder = fs::path(scratch()) / "quota";
+  fs::create_directories(folder);
+  int errors = 0;
+  for (const int bytes : {0, 1000, 5000, 20000, 50000, 100000}) {
+    SCOPED_TRACE(bytes);
+    errors += errors_of_commands(folder, preloaded("LIECHECK_QUOTA=" + std::to_string(bytes)), shell);
+    // At most so many blocks a file, which are those of the messages, too.
+    if (bytes > 0)
+      errors += errors_of_commands(folder, "ulimit -f " + std::to_string(bytes / 512) + "; ", shell);
   }
   EXPECT_GT(errors, 10);
 }

@@ -121,11 +121,15 @@ void checkOrder(Sys& system, const scene::MethodInfo& info, const scene::Scene& 
     ASSERT_EQ(outcome.events > 0, info.order > 1) << name << ", " << steps << " steps";
     ASSERT_FALSE(outcome.zeno) << name;
     const double error = error_of(state);
-    if (at_once && steps == 16) EXPECT_LT(error, 1e-11) << name;
+    if (at_once && steps == 16) {
+      EXPECT_LT(error, 1e-11) << name;
+    }
     if (error < least) break;
     order = std::log2(before / error), before = error;
   }
-  if (!at_once) EXPECT_NEAR(order, info.order, 0.1) << name;
+  if (!at_once) {
+    EXPECT_NEAR(order, info.order, 0.1) << name;
+  }
 }
 
 class EachMethodAcrossLocatedEvents : public testing::TestWithParam<scene::MethodInfo> {};

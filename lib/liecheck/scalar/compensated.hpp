@@ -54,7 +54,7 @@ struct SplitFactor {
       using Number = Lane<S>;
       constexpr int digits = std::numeric_limits<Number>::digits, places = (digits - BITS) / 2;
       const S sigma(Number(ldexp(Number(3), digits - 2 - places)));
-      high = (x + sigma) - sigma;
+      high = stored(S(x + sigma)) - sigma;
       low = x - high;
     }
   }
@@ -62,7 +62,7 @@ struct SplitFactor {
   /// 2^(n + 1) times a bound of the factor.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& sigma) : value(x), high(x), low(S(0)) {
     if constexpr (P != Precision::fast) {
-      high = (x + sigma) - sigma;
+      high = stored(S(x + sigma)) - sigma;
       low = x - high;
     }
   }

@@ -11,20 +11,31 @@ namespace liecheck {
 template <Scalar S>
 struct DoubleWord;
 
-/// a + b exactly, high = fl(a + b). Knuth, theorem B. Precondition: no overflow.
+/// x in the format of S, a scalar or Simd. The registers of x87 hold 64 binary digits of a result that an error-free
+/// transformation has to see rounded.
+template <class S>
+[[gnu::always_inline]] inline S stored(S x) {
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+  if constexpr (std::is_trivially_copyable_v<S>) asm("" : "+m"(x));
+#endif
+  return x;
+}
+
+/// a + b exactly, high = fl(a + b). Knuth, theorem B. Precondition: no overflow. On x87, which rounds twice, low is exact
+/// up to a few eps of low: Boldo, Graillat & Muller (2017).
 template <Scalar S>
 DoubleWord<S> two_sum(const S& a, const S& b) {
-  const S s = a + b;
+  const S s = stored<S>(a + b);
   const S b_virtual = s - a;
   const S a_virtual = s - b_virtual;
-  return {s, (a - a_virtual) + (b - b_virtual)};
+  return {s, stored<S>((a - a_virtual) + (b - b_virtual))};
 }
 
 /// a + b exactly, high = fl(a + b), for |a| >= |b| or a = 0. Dekker (1971).
 template <Scalar S>
 DoubleWord<S> fast_two_sum(const S& a, const S& b) {
-  const S s = a + b;
-  return {s, b - (s - a)};
+  const S s = stored<S>(a + b);
+  return {s, stored<S>(b - (s - a))};
 }
 
 /// a = high + low exactly, each with half the digits. Veltkamp (1968). Domain: |a| < max / 2^(digits/2 + 1).
@@ -33,21 +44,21 @@ DoubleWord<S> split(const S& a) {
   using std::ldexp;
   constexpr int half = (std::numeric_limits<S>::digits + 1) / 2;
   static const S factor = S(ldexp(S(1), half)) + S(1);
-  const S c = factor * a;
-  const S high = c - (c - a);
+  const S c = stored<S>(factor * a);
+  const S high = stored<S>(c - stored<S>(c - a));
   return {high, a - high};
 }
 
 /// a b exactly, high = fl(a b). Dekker (1971), eq. 5.14. Precondition: no overflow, no underflow.
 template <Scalar S>
 DoubleWord<S> two_prod(const S& a, const S& b) {
-  const S p = a * b;
+  const S p = stored<S>(a * b);
 #if defined(LIECHECK_FMA)
   if constexpr (std::is_floating_point_v<S>) return {p, std::fma(a, b, -p)};
 #endif
   const auto [ah, al] = split(a);
   const auto [bh, bl] = split(b);
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+  return {p, stored<S>(((ah * bh - p) + ah * bl + al * bh) + al * bl)};
 }
 
 /// high + low with |low| <= eps/2 |high|: a scalar with twice the digits of S. The error bounds of Joldes,
