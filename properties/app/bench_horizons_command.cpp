@@ -3,7 +3,7 @@
 #include <app/command.hpp>
 #include <cmath>
 #include <cstdio>
-#include <horizons/horizons.hpp>
+#include <horizons/scene_horizons.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <support/files.hpp>
@@ -64,7 +64,7 @@ int run(const Flags& f) {
   bool failed = false;
   fmt::print("{:<16}{:<8}{:<19}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
              "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
-  const bool complete = measure_horizons(o, [&](const Horizon& h) {
+  const auto show = [&](const Horizon& h) {
     const std::string why = h.subject == "liecheck" ? broken(h) : "";
     progress.reset();
     failed = failed || !why.empty();
@@ -80,7 +80,8 @@ int run(const Flags& f) {
     }
     std::fflush(stdout);
     rows.push_back(json_of(h, why));
-  });
+  };
+  const bool complete = measure_horizons(o, show) && measure_scene_horizons(o, show);
   if (!complete)
     fmt::print(stderr, "interrupted{}\n",
                o.state.empty() ? "" : ": the same command goes on with " + o.state);

@@ -1,5 +1,4 @@
 #include <horizons/horizons.hpp>
-#include <horizons/scene_horizons.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -386,10 +385,7 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
   State state(o);
-  const bool scenes = std::ranges::count(o.walks, "scene") && std::ranges::count(o.subjects, "liecheck") &&
-                      std::ranges::count(o.scalars, "double");
-  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report) &&
-         (!scenes || measure_scene_horizons(o, report));
+  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report);
 }
 
 }  // namespace liecheck::properties

@@ -39,7 +39,7 @@ struct Horizon {
 };
 
 /// Measures each walk of each subject, reports it, and writes the state now and then and at the end. A walk that is not
-/// offered is left out. Returns false if stop_requested. Throws std::invalid_argument for an unknown name, or for a
+/// offered is left out, and `scene` is left to scene_horizons.hpp. Returns false if stop_requested. Throws std::invalid_argument for an unknown name, or for a
 /// state of other options.
 bool measure_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
 

@@ -1,10 +1,13 @@
 // Scenes whose motion has a closed form, over as many steps as a walk has calls.
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <horizons/scene_horizons.hpp>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <scenes/runner.hpp>
 #include <scenes/truth.hpp>
 #include <support/stop.hpp>
@@ -53,6 +56,9 @@ Horizon measured(Benchmark scene, std::uint64_t steps, const std::function<void(
 }  // namespace
 
 bool measure_scene_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
+  if (!std::ranges::count(o.walks, "scene") || !std::ranges::count(o.subjects, "liecheck") ||
+      !std::ranges::count(o.scalars, "double"))
+    return true;
   std::vector<Benchmark> scenes;
   for (Benchmark& scene : builtin_benchmarks())
     if (const auto truth = truth_of(scene); truth && truth->closed) scenes.push_back(std::move(scene));

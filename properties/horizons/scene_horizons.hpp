@@ -5,8 +5,9 @@
 
 namespace liecheck::properties {
 
-/// Runs liecheck's gauss12 in double on each of them, and reports the errors against the closed form as a walk "scene
-/// NAME": the attitude's, or the position's if nothing rotates. Returns false if stop_requested.
+/// If the options have the walk `scene`, the subject liecheck and double: runs gauss12 on each of them, and reports the
+/// errors against the closed form as a walk "scene NAME": the attitude's, or the position's if nothing rotates. Returns
+/// false if stop_requested.
 bool measure_scene_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
 
 }  // namespace liecheck::properties

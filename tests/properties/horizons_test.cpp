@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <horizons/horizons.hpp>
+#include <horizons/scene_horizons.hpp>
 #include <subjects/subject.hpp>
 #include <support/stop.hpp>
 
@@ -91,6 +91,23 @@ TEST(Horizons, APathThatIsInterruptedGoesOnWithTheSameBits) {
     EXPECT_EQ(all[1].points[i].attitude, whole.points[i].attitude) << i;
   o.steps = 30'000;
   EXPECT_THROW(measure_horizons(o, [](const Horizon&) {}), std::invalid_argument);
+}
+
+TEST(Horizons, ScenesStayNearTheirClosedForms) {
+  HorizonOptions o;
+  o.steps = 6400;  // 100 s
+  std::vector<std::string> names;
+  EXPECT_TRUE(measure_scene_horizons(o, [&](const Horizon& h) {
+    names.push_back(h.walk);
+    EXPECT_GE(h.points.back().n, 6400u) << h.walk;
+    EXPECT_LT(h.points.back().attitude, 1e4) << h.walk;
+    EXPECT_GT(h.points[1].attitude, 0) << h.walk;
+    EXPECT_LE(h.points.back().norm, 4) << h.walk;
+  }));
+  EXPECT_EQ(names, (std::vector<std::string>{"scene triaxial", "scene axisymmetric", "scene thrown",
+                                             "scene pendulum", "scene spring", "scene top"}));
+  o.scalars = {"float"};
+  EXPECT_TRUE(measure_scene_horizons(o, [](const Horizon& h) { ADD_FAILURE() << h.walk; }));
 }
 
 TEST(Horizons, TheIntervalOfAGrowthContainsIt) {
