@@ -1,6 +1,7 @@
 #include <fmt/format.h>
-#include <bounds/box.hpp>
 #include <bounds/bounds.hpp>
+#include <bounds/box.hpp>
+#include <bounds/hunted.hpp>
 #include <budgets/budgets.hpp>
 #include <mutex>
 #include <optional>
@@ -239,7 +240,7 @@ ProvedBound prove(const Proof& proof, const BoundOptions& options,
   ProvedBound result;
   result.operation = proof.operation, result.block = proof.block, result.inputs = proof.inputs;
   const Budget& budget = budget_in(budgets("liecheck"), proof.operation, proof.block, Region::to_pi);
-  result.hunted = budget.value, result.limit = budget.limit;
+  result.hunted = largest_error_of_hard_cases(proof.operation, proof.block), result.limit = budget.limit;
   std::priority_queue<BoundedBox> queue;
   for (const Box& b : first_boxes(proof)) queue.push({bound_of(proof, b), b}), ++result.boxes;
   while (result.boxes < options.boxes && queue.top().bound > options.wanted && !stop_requested) {

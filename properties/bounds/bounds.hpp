@@ -19,10 +19,10 @@ struct ProvedBound {
   double bound = 0;              ///< eps; infinity if a box has none
   std::uint64_t boxes = 0;       ///< evaluated
   std::string worst;             ///< the box with the largest bound
-  double hunted = 0,
-         limit = 0;  ///< eps: the largest error that a search found, and the limit, of the table of limits
+  double hunted = 0;             ///< eps: the largest error of the hard cases in double
+  double limit = 0;              ///< eps: of the table of limits
 
-  /// A search found a larger error than the proof allows: one of both is wrong.
+  /// A search found a larger error than the proof allows: one of the two is wrong.
   bool contradicted() const { return bound < hunted; }
 };
 

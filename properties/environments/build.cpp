@@ -40,25 +40,30 @@ std::string first_error(const std::string& output) {
   return first.empty() ? "the compiler failed" : first;
 }
 
-/// Whether no file that the list of a compiler (-MD) names is newer than `product`.
-bool is_current(const fs::path& product, const fs::path& list) {
+/// Whether no file that the compiler's lists (-MD) name is newer than `product`.
+bool is_current(const fs::path& product, const std::vector<fs::path>& lists) {
   std::error_code error;
   const auto time = fs::last_write_time(product, error);
   if (error) return false;
-  std::ifstream file(list);
-  if (!file) return false;
-  for (std::string word; file >> word;)
-    if (word != "\\" && !word.ends_with(":") && (fs::last_write_time(word, error) > time || error))
-      return false;
+  for (const fs::path& list : lists) {
+    std::ifstream file(list);
+    if (!file) return false;
+    for (std::string word; file >> word;)
+      if (word != "\\" && !word.ends_with(":") && (fs::last_write_time(word, error) > time || error))
+        return false;
+  }
   return true;
 }
 
-/// Runs the commands if one of them is another one than the last time, or a source is newer than `product`.
-void make(const fs::path& product, const std::string& commands) {
-  const fs::path stem = product.parent_path() / product.stem();
-  const fs::path list = stem.string() + ".d", last = stem.string() + ".command";
+/// Runs the commands if one of them is another one than the last time, or a source is newer than `product`. `lists` are
+/// the endings of the compiler's lists of the sources.
+void make(const fs::path& product, const std::string& commands, const std::vector<std::string>& lists) {
+  const std::string stem = (product.parent_path() / product.stem()).string();
+  const fs::path last = stem + ".command";
+  std::vector<fs::path> files;
+  for (const std::string& ending : lists) files.emplace_back(stem + ending);
   std::error_code error;
-  if (fs::exists(last, error) && read_whole(last) == commands && is_current(product, list)) return;
+  if (fs::exists(last, error) && read_whole(last) == commands && is_current(product, files)) return;
   const auto [output, good] = ran(product.parent_path().string(), commands);
   if (!good) throw NotBuilt(printable(first_error(output)));
   write_whole(last, commands);
@@ -98,13 +103,14 @@ std::string built(const Sources& sources, const std::string& subject, const Envi
   const std::string compile =
       fmt::format("{} -std=gnu++20 -DNDEBUG {} {}{}", e.compiler, e.flags, a.flags, headers);
   std::string commands = e.prepare.empty() ? "" : "( " + e.prepare + " ) && ";
-  commands +=
-      fmt::format("{0} -MD -MF {1}.d -MT {1} -c {2} -o {1}.adapter.o && {0} -c {3} -o {1}.process.o && ",
-                  compile, shell_quoted(stem), shell_quoted(a.source), shell_quoted(sources.process));
+  commands += fmt::format(
+      "{0} -MD -MF {1}.d -MT {1} -c {2} -o {1}.adapter.o && {0} -MD -MF {1}.process.d -MT {1} -c {3} -o "
+      "{1}.process.o && ",
+      compile, shell_quoted(stem), shell_quoted(a.source), shell_quoted(sources.process));
   commands +=
       fmt::format("{} {} {}.adapter.o {}.process.o {} {} -o {}", e.compiler, e.flags, shell_quoted(stem),
                   shell_quoted(stem), e.link, a.libraries, shell_quoted(product.string()));
-  make(product, commands);
+  make(product, commands, {".d", ".process.d"});
   return (e.run.empty() ? "exec " : "exec " + e.run + " ") + shell_quoted(product.string());
 }
 
@@ -113,9 +119,11 @@ std::string built_for_program(const Sources& sources, const std::string& subject
   fs::create_directories(folder);
   const fs::path product = fs::absolute(fs::path(folder) / (subject + "-program.so"));
   const std::string stem = (product.parent_path() / product.stem()).string();
-  make(product, fmt::format("{} -std=gnu++20 -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} {} -o {}",
-                            sources.compiler, sources.flags, a.flags, shell_quoted(stem),
-                            shell_quoted(a.source), a.libraries, shell_quoted(product.string())));
+  make(product,
+       fmt::format("{} -std=gnu++20 -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} {} -o {}", sources.compiler,
+                   sources.flags, a.flags, shell_quoted(stem), shell_quoted(a.source), a.libraries,
+                   shell_quoted(product.string())),
+       {".d"});
   return "in-process:" + product.string();
 }
 

@@ -121,21 +121,24 @@ class Path {
 
   std::uint64_t n() const { return n_; }
   void advance() {
-    for (std::uint64_t k = 0; k < block; ++k) step(increment(n_ + k));
+    for (std::uint64_t k = 0; k < block; ++k) step(n_ + k);
     if (!back_)
       truth_ = oracles::quaternion_product(
           truth_, increments_.product[increments_.sequence(seed_, number_, n_ / block)]);
     n_ += block;
     norm_ = std::max(norm_, defect());
+    longest_ = std::max(longest_, X_.p.template cast<double>().norm());
   }
-  /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. The walk back is made for it.
+  /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. For back, whose way back is made for it,
+  /// the larger one of the angle and of the distance over the longest one so far.
   std::pair<double, double> errors() const {
     if (!back_) return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
     Path there = *this;
     for (std::uint64_t at = n_; at-- > 0 && (at % block != 0 || !stop_requested);)
-      there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(increment(at))));
-    return {norm_ / eps,
-            (there.X_.R - Mat<S, 3>::Identity()).template cast<double>().norm() / std::sqrt(2) / eps};
+      there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(at)));
+    const double turned = (there.X_.R - Mat<S, 3>::Identity()).template cast<double>().norm() / std::sqrt(2);
+    const double moved = there.X_.p.template cast<double>().norm() / longest_;
+    return {norm_ / eps, std::max(turned, moved) / eps};
   }
 
   json state() const {
@@ -145,10 +148,15 @@ class Path {
     for (int i = 0; i < 3; ++i) numbers.push_back(hexadecimal_float(X_.p[i]));
     json truth = json::array();
     for (int i = 0; i < 4; ++i) truth.push_back(truth_[i].str(0, std::ios_base::scientific));
-    return {{"n", n_}, {"norm", hexadecimal_float(norm_)}, {"numbers", numbers}, {"truth", truth}};
+    return {{"n", n_},
+            {"norm", hexadecimal_float(norm_)},
+            {"longest", hexadecimal_float(longest_)},
+            {"numbers", numbers},
+            {"truth", truth}};
   }
   void restore(const json& s) {
-    n_ = s.at("n"), norm_ = parse_float<double>(s.at("norm"));
+    n_ = s.at("n"), norm_ = parse_float<double>(s.at("norm")),
+    longest_ = parse_float<double>(s.at("longest"));
     const json& x = s.at("numbers");
     std::size_t at = 0;
     for (int i = 0; i < 7; ++i) q_[i] = parse_float<S>(x.at(at++));
@@ -166,9 +174,10 @@ class Path {
     if (walk_ == "back") return random_increment<S>(seed_ + number_, at);
     return increments_.phi[increments_.sequence(seed_, number_, at / block)][at % block];
   }
-  void step(const Vec<S, 3>& phi) {
+  void step(std::uint64_t at) {
+    const Vec<S, 3> phi = increment(at);
     if (back_) {
-      X_ = o_[op::compose](X_, pose(phi));
+      X_ = o_[op::compose](X_, pose(at));
     } else if (walk_ == "first_order" || walk_ == "full") {
       const Vec<S, 4> Q = product<S>(q_.template tail<4>(), o_[op::exp3_quaternion](phi));
       q_.template tail<4>() = walk_ == "full" ? o_[op::normalize](Q) : o_[op::first_order_normalize](Q);
@@ -178,9 +187,12 @@ class Path {
       q_ = o_[op::integrate](q_, delta);
     }
   }
-  Pose<S> pose(const Vec<S, 3>& phi) const {
-    Vec<S, 6> xi = Vec<S, 6>::Zero();
-    xi.template tail<3>() = phi;
+  /// The exponential of an increment and of up to 1 m a component.
+  Pose<S> pose(std::uint64_t at) const {
+    const std::uint64_t own =
+        walk_ == "back" ? at : increments_.sequence(seed_, number_, at / block) * block + at % block;
+    Vec<S, 6> xi;
+    xi << S(10) * random_increment<S>(mixed(seed_ + number_), own), increment(at);
     return o_[op::exp6](xi);
   }
   double defect() const {
@@ -210,13 +222,13 @@ class Path {
   std::uint64_t seed_;
   unsigned number_;
   std::uint64_t n_ = 0;
-  double norm_ = 0;
+  double norm_ = 0, longest_ = 0;
   Vec<S, 7> q_;
   Pose<S> X_;
   Quaternion<Real> truth_{{0, 0, 0, 1}};
 };
 
-/// 64, and then the multiples of 64 above the powers of sqrt(10), up to the number of steps.
+/// 64 times the powers of sqrt(10), rounded up to multiples of 64, up to the number of steps.
 std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
   std::vector<std::uint64_t> all;
   for (double at = block; at < static_cast<double>(steps); at *= std::sqrt(10.0))

@@ -72,7 +72,7 @@ const std::vector<Room> harness = {
     {"environments",
      {"support", "generators", "budgets", "subjects", "invariants", "adapters", "campaign", "hard_cases"}},
     {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes"}},
-    {"bounds", {"lib", "support", "budgets"}},
+    {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
       "campaign", "search", "hard_cases", "history", "failures", "lattice", "store", "coefficients", "timing",
