@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <stdexcept>
+#include <support/file_lock.hpp>
 #include <support/files.hpp>
+#include <support/json.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -26,8 +29,8 @@ class State {
  public:
   State(std::string file, const BoundOptions& options) : file_(std::move(file)), boxes_(options.boxes) {
     if (file_.empty()) return;
-    if (std::filesystem::exists(file_)) read();
     check_writable(file_);
+    if (std::filesystem::exists(file_)) read();
   }
   const ProvedBound* of(const std::string& operation) const {
     for (const ProvedBound& b : done_)
@@ -39,14 +42,7 @@ class State {
     done_.push_back(b);
     nlohmann::json all = nlohmann::json::array();
     for (const ProvedBound& d : done_)
-      all.push_back({{"operation", d.operation},
-                     {"block", d.block},
-                     {"inputs", d.inputs},
-                     {"bound", d.bound},
-                     {"boxes", d.boxes},
-                     {"worst", d.worst},
-                     {"hunted", d.hunted},
-                     {"limit", d.limit}});
+      all.push_back({{"operation", d.operation}, {"bound", d.bound}, {"boxes", d.boxes}, {"worst", d.worst}});
     write_whole(
         file_,
         nlohmann::json({{"bounds_of_liecheck", LIECHECK_VERSION}, {"boxes", boxes_}, {"done", all}}).dump(1) +
@@ -59,20 +55,25 @@ class State {
   std::vector<ProvedBound> done_;
 
   void read() {
+    const auto wrong = [&](const std::string& why) {
+      return std::invalid_argument(fmt::format("--state: {}: not a state of these proofs: {}", file_, why));
+    };
     try {
-      const auto j = nlohmann::json::parse(read_whole(file_));
+      const auto j = parsed(read_whole(file_));
       if (j.at("bounds_of_liecheck") != LIECHECK_VERSION || j.at("boxes") != boxes_)
-        throw std::invalid_argument("of another version or with another number of boxes");
+        throw wrong("of another version or with another number of boxes");
       for (const auto& d : j.at("done")) {
-        ProvedBound b;
-        b.operation = d.at("operation"), b.block = d.at("block"), b.inputs = d.at("inputs");
-        b.bound = d.at("bound"), b.boxes = d.at("boxes"), b.worst = d.at("worst");
-        b.hunted = d.at("hunted"), b.limit = d.at("limit");
+        if (!std::ranges::count(proved_operations(), d.at("operation").get<std::string>()))
+          throw wrong("it has an operation without a proof");
+        ProvedBound b = statement_of(d.at("operation"));
+        b.bound = d.at("bound"), b.worst = printable(d.at("worst").get<std::string>());
+        if (!d.at("boxes").is_number_unsigned() || !(b.bound > 0 && b.bound < 1e15))
+          throw wrong("a bound or a number of boxes is impossible");
+        b.boxes = d.at("boxes");
         done_.push_back(b);
       }
-    } catch (const std::exception& e) {
-      throw std::invalid_argument(
-          fmt::format("--state: {}: not a state of these proofs: {}", file_, e.what()));
+    } catch (const nlohmann::json::exception&) {
+      throw wrong("it is not JSON, or a member is missing or of another type");
     }
   }
 };
@@ -92,6 +93,8 @@ int run(const Flags& f) {
     if (o.operations.size() != 1) throw std::invalid_argument("--claim needs one --operation");
     o.wanted = claim;
   }
+  o.operations = without_repeats(o.operations);
+  const FileLock lock(f.state);
   State state(f.state, o);
   stop_on_signals();
   std::vector<ProvedBound> rows;
@@ -102,9 +105,10 @@ int run(const Flags& f) {
     std::string why;
     if (b.contradicted())
       why = "  FAILED: a search found more than is proved";
-    else if (claim > 0 && b.bound > claim)
+    else if (claim > 0 && b.bound > claim && !stop_requested)
       why = fmt::format("  FAILED: {} eps is not proved; the largest bound is at {}", f.claim, b.worst);
     failed = failed || !why.empty();
+    if (why.empty() && claim > 0 && b.bound > claim) why = "  stopped before a proof of the claim";
     fmt::print("{:<24}{:<17}{:>10.3g}{:>10.3f}{:>8.2f}{:>8.3g}{:>10}  {}{}\n", b.operation, b.block, b.hunted,
                std::ceil(b.bound * 1000) / 1000, b.bound / b.hunted, b.limit, b.boxes, b.inputs, why);
     std::fflush(stdout);
@@ -124,8 +128,8 @@ int run(const Flags& f) {
   const bool complete = !stop_requested &&
                         std::all_of(rows.begin(), rows.end(), [](auto& b) { return std::isfinite(b.bound); });
   if (stop_requested)
-    fmt::print(stderr, "interrupted: the bounds hold, but more boxes would lower them{}\n",
-               f.state.empty() ? "" : "; the same command goes on with " + f.state);
+    fmt::print(stderr, "interrupted: the bounds hold, and more boxes would lower them{}\n",
+               std::filesystem::exists(f.state) ? "; the same command goes on with " + f.state : "");
   if (!f.json.empty()) write_record(f.json, record_of(rows, complete, failed));
   return failed ? property_failed : complete ? within_budget : incomplete;
 }
@@ -149,7 +153,7 @@ Command bench_bounds_command(CLI::App& bench) {
                        "input; 3 if stopped, or if the boxes are too few for a bound");
   a.list("--operation", a->options.operations, "OP",
          "an operation that has a proof, repeatable; default all");
-  a.number("--boxes", a->options.boxes, 1, 1'000'000'000,
+  a.number("--boxes", a->options.boxes, 1, 20'000'000,
            "boxes of inputs to evaluate for each operation: more of them lower the bound");
   a.text("--claim", a->claim, "EPS", "prove this bound of one operation, or fail");
   a.text("--state", a->state, "FILE", "write each finished operation, and go on from there");

@@ -20,6 +20,23 @@ struct Flags {
   bool all = false;
 };
 
+/// A function without its arguments and those of its templates.
+std::string short_name(const std::string& function) {
+  std::string name;
+  int depth = 0;
+  for (const char c : function) {
+    if (c == '(' && depth == 0) break;
+    depth -= c == '>';
+    if (depth == 0 && c != '<' && c != '>') name += c;
+    depth += c == '<';
+  }
+  return name;
+}
+
+std::string digits(double x) {
+  return std::isfinite(x) ? fmt::format("{:.1f}", x) : "-";
+}
+
 nlohmann::json json_of(const DigitsRow& r) {
   nlohmann::json j{{"subject", r.subject},
                    {"operation", r.operation},
@@ -34,19 +51,19 @@ nlohmann::json json_of(const DigitsRow& r) {
 
 int run(const Flags& f) {
   DigitsOptions options;
-  options.subjects = f.subjects, options.operations = f.operations;
+  options.subjects = without_repeats(f.subjects), options.operations = without_repeats(f.operations);
   options.inputs = f.inputs, options.samples = f.samples, options.seed = f.seed,
   options.stop = &stop_requested;
   if (!f.where.empty() && (f.subjects.size() != 1 || f.operations.size() != 1))
     throw std::invalid_argument("--where needs one --subject and one --operation");
+  check_digits(options);
   stop_on_signals();
   nlohmann::json rows = nlohmann::json::array();
   if (!f.where.empty()) {
     fmt::print("{:>7}  {:<44}  {}\n", "share", "line", "function");
     for (const RoundingLine& l : rounding_lines(options, f.where)) {
       if (l.share < 0.005 && !f.all) break;
-      fmt::print("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place,
-                 l.function.substr(0, l.function.find('(')));
+      fmt::print("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place, short_name(l.function));
       rows.push_back({{"share", l.share}, {"line", l.place}, {"function", l.function}});
     }
   } else {
@@ -60,18 +77,25 @@ int run(const Flags& f) {
     measure_digits(options, [&](const DigitsRow& r) {
       ++n, deceived += r.deceives();
       rows.push_back(json_of(r));
-      const std::string all =
-          std::isnan(r.without_exemption) ? "-" : fmt::format("{:.1f}", r.without_exemption);
-      fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8.1f}{:>11.1f}{:>8}{}\n", r.subject, r.operation, r.part, r.band,
-                 r.actual, r.estimated, all, r.deceives() ? "  deceives" : "");
+      fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}{}\n", r.subject, r.operation, r.part, r.band,
+                 digits(r.actual), digits(r.estimated), digits(r.without_exemption),
+                 r.deceives()              ? "  deceives"
+                 : std::isnan(r.estimated) ? "  a result at random is not finite"
+                                           : "");
       std::fflush(stdout);
     });
     fmt::print("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
                deceived, n);
   }
   if (!f.json.empty())
-    write_record(f.json, {{"verdict", stop_requested ? "stopped" : "measured"}, {"rows", rows}});
-  return stop_requested ? incomplete : within_budget;
+    write_record(f.json, {{"verdict", stop_requested ? "stopped"
+                                      : rows.empty() ? "incomplete"
+                                                     : "measured"},
+                          {"rows", rows}});
+  if (stop_requested) fmt::print(stderr, "interrupted: the table is not complete\n");
+  if (rows.empty() && !stop_requested)
+    fmt::print(stderr, "nothing was measured: the subjects do not offer these operations\n");
+  return stop_requested || rows.empty() ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -82,7 +106,7 @@ Command bench_rounding_command(CLI::App& bench) {
       "estimate digits by random rounding: every operation of a subject rounds up or down by chance, and "
       "the spread of the results shows how many digits are right; print the oracle's beside them. Exit code "
       "0; "
-      "2 for bad input; 3 if stopped");
+      "2 for bad input; 3 if stopped, or if nothing was measured");
   a.list(
       "--subject", a->subjects, "NAME",
       fmt::format(

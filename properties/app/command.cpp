@@ -161,4 +161,11 @@ void write_record(const std::string& file, const nlohmann::json& record) {
   write_whole(file, dumped(record, 1) + "\n");
 }
 
+std::vector<std::string> without_repeats(const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    if (!std::ranges::count(all, name)) all.push_back(name);
+  return all;
+}
+
 }  // namespace liecheck::properties

@@ -224,6 +224,9 @@ int run_program(int argc, char** argv, const std::string& typed_line);
 
 // A command is added to the program or to the group of commands "bench" or "scene".
 
+/// The names in their order, each once.
+std::vector<std::string> without_repeats(const std::vector<std::string>& names);
+
 Command list_command(CLI::App& program);
 Command adapter_check_command(CLI::App& adapter);
 Command adapter_serve_command(CLI::App& adapter);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <support/environment.hpp>
+#include <support/files.hpp>
 #include <support/json_number.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
@@ -56,12 +57,12 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 }
 
 void print_header() {
-  fmt::print("{:<18}{:<17}{:>7}{:>11}{:>11}{:>8}{:>12}{:>8}  {}\n", "subject", "environment", "checks",
+  fmt::print("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12}{:>8}  {}\n", "subject", "environment", "checks",
              "same bits", "verdicts", "worse", "of limit", "digits", "of");
 }
 
 void print_row(const std::string& subject, const std::string& name, const std::string& of, const Figures& f) {
-  fmt::print("{:<18}{:<17}{:>7}{:>11}{:>11}{:>8}{:>12.3g}{:>8.1f}  {}\n", subject, name, f.cases,
+  fmt::print("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12.3g}{:>8.1f}  {}\n", subject, name, f.cases,
              share(f.same_calls, f.calls), share(f.same_verdicts, f.cases), f.worse, f.of_limit,
              f.digits_lost, of);
 }
@@ -94,8 +95,10 @@ class Run {
       }
     }
     folder_ = f.folder.empty() ? default_folder() : f.folder;
+    if (!f.folder.empty()) check_folder(f.folder);
     const auto linked = subject_names();
-    for (const std::string& name : f.subjects.empty() ? std::vector<std::string>{"liecheck"} : f.subjects) {
+    for (const std::string& name :
+         f.subjects.empty() ? std::vector<std::string>{"liecheck"} : without_repeats(f.subjects)) {
       Tested t;
       t.name = name;
       t.profile = name == "liecheck" ? Profile::ours : Profile::careful;
@@ -121,6 +124,7 @@ class Run {
       if (const std::string why = missing(e); !why.empty()) {
         fmt::print("absent: {} ({}): {}\n", e.name, e.what, why);
         absent_.push_back({{"environment", e.name}, {"what", e.what}, {"why", why}});
+        complete_ = complete_ && flags_.only.empty();  // it was asked for
       }
     for (const std::string& line : lines_) fmt::print("{}\n", line);
     const int code = stop_requested || !complete_ || rows_.empty() ? incomplete : within_budget;
@@ -129,8 +133,9 @@ class Run {
                result == property_failed
                    ? fmt::format("{} of {} environments x subjects break what is expected of them", broken_,
                                  measured_)
+               : stop_requested ? "interrupted"
                : result == incomplete
-                   ? "incomplete"
+                   ? "incomplete: something that was asked for is absent or not built"
                    : fmt::format("in all {} environments x subjects, every check holds", measured_));
     if (!flags_.json.empty())
       write_record(flags_.json, {{"environments", 1},
@@ -151,12 +156,23 @@ class Run {
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "environments")
         .string();
   }
+  static void check_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder, error))
+      throw std::invalid_argument(fmt::format("--dir: {}: cannot be a folder: {}", folder, error.message()));
+    try {
+      check_writable(std::filesystem::path(folder) / "new");
+    } catch (const std::runtime_error& e) {
+      throw std::invalid_argument(fmt::format("--dir: {}", e.what()));
+    }
+  }
   static std::vector<Environment> chosen(const std::vector<std::string>& only) {
     if (only.empty()) return environments::all();
     std::vector<Environment> some;
     std::string known;
     for (const Environment& e : environments::all()) known += (known.empty() ? "" : ", ") + e.name;
-    for (const std::string& name : only) {
+    for (const std::string& name : without_repeats(only)) {
       const auto at = std::ranges::find(environments::all(), name, &Environment::name);
       if (at == environments::all().end())
         throw std::invalid_argument(fmt::format("--only: unknown environment '{}'; known: {}", name, known));
@@ -165,7 +181,9 @@ class Run {
     return some;
   }
   [[noreturn]] void unknown(const std::string& name) const {
-    if (!no_sources_.empty()) throw std::invalid_argument(no_sources_);
+    if (!no_sources_.empty())
+      throw std::invalid_argument(
+          fmt::format("--subject: '{}' is no subject of the program, and {}", name, no_sources_));
     std::string known;
     for (const auto& [other, source] : sources_.adapters) known += (known.empty() ? "" : ", ") + other;
     throw std::invalid_argument(
@@ -176,10 +194,15 @@ class Run {
   }
 
   void measure_all(Tested& t) {
-    if (!t.linked) register_as(t, built_for_program(sources_, t.name, folder_));
-    const std::string& own = t.linked ? t.linked_name : t.adapter_name;
-    const auto before = measured(own, t, {}, "its own build");
+    std::optional<Measured> before;
+    try {
+      if (!t.linked) register_as(t, built_for_program(sources_, t.name, folder_));
+      before = measured(t.linked ? t.linked_name : t.adapter_name, t, {}, "its own build");
+    } catch (const std::exception& why) {
+      not_built(t, "this program", why.what());
+    }
     if (!before) return;
+    const std::string& own = t.linked ? t.linked_name : t.adapter_name;
     const std::string in_process = t.linked ? "" : "in-process:" + folder_ + "/" + t.name + "-program.so";
     for (const Environment& e : environments_) {
       if (stop_requested) return;
@@ -189,23 +212,36 @@ class Run {
           if (!t.linked) adapters::exchange_adapter(t.adapter_name, in_process);
           report(t, e, *before, measured(own, t, *e.mode, e.name));
         } else if (t.has_source) {
-          register_as(t, built(sources_, t.name, e, folder_));
+          const std::string command = built(sources_, t.name, e, folder_);
+          try {
+            register_as(t, command);
+          } catch (const std::exception&) {
+            forget(t.name, e, folder_);
+            throw;
+          }
           report(t, e, *before, measured(t.adapter_name, t, {}, e.name));
         }
-      } catch (const std::runtime_error& why) {  // not built, or not started
-        complete_ = false;
-        lines_.push_back(fmt::format("not built: {} for {}: {}", t.name, e.name, why.what()));
-        not_built_.push_back({{"subject", t.name}, {"environment", e.name}, {"why", why.what()}});
+      } catch (const std::exception& why) {  // not built, or not started
+        if (!stop_requested) not_built(t, e.name, why.what());
       }
     }
     if (!t.has_source && std::ranges::any_of(environments_, [](const Environment& e) { return !e.mode; })) {
       // Whoever names the environments, or liecheck itself, expects a build.
-      complete_ = complete_ && no_sources_.empty() && flags_.only.empty();
-      lines_.push_back(
-          no_sources_.empty()
-              ? fmt::format("{} has no adapter in one source file: it is called in other modes only", t.name)
-              : fmt::format("not built: {}: {}", t.name, no_sources_));
+      if (!no_sources_.empty() || !flags_.only.empty())
+        not_built(t, "other environments",
+                  no_sources_.empty() ? "it has no adapter in one source file" : no_sources_);
+      else
+        lines_.push_back(
+            fmt::format("{} has no adapter in one source file: it is called in other modes only", t.name));
     }
+  }
+
+  void not_built(const Tested& t, const std::string& environment, std::string why) {
+    complete_ = false;
+    if (const std::string flag = "--adapter: "; why.starts_with(flag))
+      why.erase(0, flag.size());  // nobody gave it
+    lines_.push_back(fmt::format("not built: {} for {}: {}", t.name, environment, why));
+    not_built_.push_back({{"subject", t.name}, {"environment", environment}, {"why", why}});
   }
 
   static void register_as(Tested& t, const std::string& text) {
@@ -272,13 +308,14 @@ Command environments_command(CLI::App& program) {
       program, "environments",
       "the laws and the hard cases on a subject that is called in other rounding modes or built with "
       "other compilers, flags and C libraries, and for other processors. Exit code 0 if it is there "
-      "what it is in this program; 1 if not; 2 for bad input; 3 if stopped or not built");
+      "what it is in this program; 1 if not; 2 for bad input; 3 if stopped, not "
+      "built, or absent and named by --only");
   a.list("--subject", a->subjects, "NAME",
          "a subject, repeatable; default liecheck. One with an adapter in one source file is built anew; "
          "others are "
          "called in other modes only");
   a.list("--only", a->only, "NAME", "an environment, repeatable; default every one");
-  a.number("--cases", a->options.cases, 1, 1'000'000, "cases of each law and scalar");
+  a.number("--cases", a->options.cases, 1, 100'000, "cases of each law and scalar");
   a.toggle("--no-hard-cases", a->no_hard_cases, "leave out the hard cases");
   a.seed(a->options.seed, "seed of the cases");
   a.toggle("--all", a->all, "show every operation, not only those that are worse");

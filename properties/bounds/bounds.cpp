@@ -234,13 +234,19 @@ std::array<BoundedBox, 2> halves(const Proof& proof, const Box& box, std::uint64
   return two;
 }
 
+const Proof& proof_of(const std::string& operation) {
+  const auto at =
+      std::find_if(proofs().begin(), proofs().end(), [&](auto& p) { return p.operation == operation; });
+  if (at == proofs().end())
+    throw std::invalid_argument(fmt::format("--operation: '{}' has no proof; known: {}", operation,
+                                            fmt::join(proved_operations(), ", ")));
+  return *at;
+}
+
 /// `told(boxes, bound)` is called now and then.
 ProvedBound prove(const Proof& proof, const BoundOptions& options,
                   const std::function<void(std::uint64_t, double)>& told) {
-  ProvedBound result;
-  result.operation = proof.operation, result.block = proof.block, result.inputs = proof.inputs;
-  const Budget& budget = budget_in(budgets("liecheck"), proof.operation, proof.block, Region::to_pi);
-  result.hunted = largest_error_of_hard_cases(proof.operation, proof.block), result.limit = budget.limit;
+  ProvedBound result = statement_of(proof.operation);
   std::priority_queue<BoundedBox> queue;
   for (const Box& b : first_boxes(proof)) queue.push({bound_of(proof, b), b}), ++result.boxes;
   while (result.boxes < options.boxes && queue.top().bound > options.wanted && !stop_requested) {
@@ -262,16 +268,19 @@ std::vector<std::string> proved_operations() {
   return names;
 }
 
+ProvedBound statement_of(const std::string& operation) {
+  const Proof& proof = proof_of(operation);
+  ProvedBound b;
+  b.operation = proof.operation, b.block = proof.block, b.inputs = proof.inputs;
+  b.hunted = largest_error_of_hard_cases(proof.operation, proof.block);
+  b.limit = budget_in(budgets("liecheck"), proof.operation, proof.block, Region::to_pi).limit;
+  return b;
+}
+
 void prove_bounds(const BoundOptions& options, const std::function<void(const ProvedBound&)>& done) {
   std::vector<const Proof*> chosen;
-  for (const std::string& name : options.operations.empty() ? proved_operations() : options.operations) {
-    const auto at =
-        std::find_if(proofs().begin(), proofs().end(), [&](auto& p) { return p.operation == name; });
-    if (at == proofs().end())
-      throw std::invalid_argument(fmt::format("--operation: '{}' has no proof; known: {}", name,
-                                              fmt::join(proved_operations(), ", ")));
-    chosen.push_back(&*at);
-  }
+  for (const std::string& name : options.operations.empty() ? proved_operations() : options.operations)
+    chosen.push_back(&proof_of(name));
   std::vector<std::optional<ProvedBound>> results(chosen.size());
   std::size_t next = 0, told = 0;
   std::uint64_t evaluated = 0;

@@ -38,6 +38,9 @@ struct BoundOptions {
 /// The operations that have a proof.
 std::vector<std::string> proved_operations();
 
+/// What is proved of an operation, without a bound. Throws std::invalid_argument that names an unknown operation.
+ProvedBound statement_of(const std::string& operation);
+
 /// Calls `done` for each operation, in order. At stop_requested the bounds so far are given, which hold, too, for the
 /// operations that have begun. Throws std::invalid_argument that names an unknown operation.
 void prove_bounds(const BoundOptions& options, const std::function<void(const ProvedBound&)>& done);

@@ -1,14 +1,20 @@
 #include <environments/build.hpp>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
-#include <cstdio>
+#include <unistd.h>
+#include <array>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties::environments {
@@ -17,16 +23,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a shell command in a folder. Returns its output and whether it succeeded.
+/// Runs a shell command in a folder, in a process group of its own. Returns its output, at most a megabyte of it, and
+/// whether it succeeded. At stop_requested, or after the time, the group is killed.
 std::pair<std::string, bool> ran(const std::string& folder, const std::string& command) {
+  constexpr auto longest = std::chrono::minutes(15);
   const std::string line = fmt::format("cd {} && {{ {} ; }} 2>&1", shell_quoted(folder), command);
-  std::FILE* const pipe = ::popen(line.c_str(), "r");
-  if (!pipe) return {"no process can be started", false};
-  std::string text;
-  char part[4096];
-  for (std::size_t n; (n = std::fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, n);
-  const int status = ::pclose(pipe);
-  return {text, WIFEXITED(status) && WEXITSTATUS(status) == 0};
+  std::array<int, 2> out{};
+  if (::pipe2(out.data(), O_CLOEXEC) != 0) return {"error: no process can be started", false};
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(s, SIG_DFL);
+    if (::dup2(out[1], 1) == 1) ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  ::close(out[1]);
+  std::string text, ended;
+  const auto end = std::chrono::steady_clock::now() + longest;
+  std::array<char, 1 << 14> part;
+  while (pid > 0) {
+    pollfd p{out[0], POLLIN, 0};
+    const int ready = ::poll(&p, 1, 100);
+    if (stop_requested) ended = "error: interrupted";
+    if (std::chrono::steady_clock::now() > end) ended = "error: it takes more than 15 minutes";
+    if (!ended.empty()) break;
+    if (ready <= 0) continue;
+    const ssize_t n = ::read(out[0], part.data(), part.size());
+    if (n <= 0) break;
+    if (text.size() < 1 << 20) text.append(part.data(), static_cast<std::size_t>(n));
+  }
+  ::close(out[0]);
+  int status = -1;
+  if (pid > 0) {
+    if (!ended.empty()) ::kill(-pid, SIGKILL);
+    ::waitpid(pid, &status, 0);
+  }
+  if (!ended.empty()) return {ended, false};
+  return {text, pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0};
 }
 
 std::string first_error(const std::string& output) {
@@ -34,10 +68,38 @@ std::string first_error(const std::string& output) {
   std::string first;
   for (std::string line; std::getline(lines, line);) {
     if (first.empty()) first = line;
-    for (const char* sign : {"error", "undefined reference", "cannot find"})
+    for (const char* sign : {"error", "Error", "undefined reference", "cannot find", "Cannot find"})
       if (line.find(sign) != line.npos) return line;
   }
   return first.empty() ? "the compiler failed" : first;
+}
+
+/// At most the first 300 bytes of a line, with whole letters of UTF-8.
+std::string short_line(const std::string& line) {
+  std::size_t end = 300;
+  if (line.size() <= end) return line;
+  while ((static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
+  return line.substr(0, end) + "...";
+}
+
+/// The files of a rule of make: those after the first colon that a space follows. A backslash precedes a space in a name,
+/// and the end of a line that goes on.
+std::vector<std::string> sources_in(const std::string& rule) {
+  std::vector<std::string> all;
+  const std::size_t colon = rule.find(": ");
+  std::string word;
+  for (std::size_t i = colon == rule.npos ? rule.size() : colon + 2; i <= rule.size(); ++i) {
+    const char c = i < rule.size() ? rule[i] : '\n', next = i + 1 < rule.size() ? rule[i + 1] : '\n';
+    if (c == '\\' && next == ' ') {
+      word += ' ', ++i;
+    } else if (c == ' ' || c == '\n' || (c == '\\' && next == '\n')) {
+      if (!word.empty()) all.push_back(word);
+      word.clear();
+    } else {
+      word += c;
+    }
+  }
+  return all;
 }
 
 /// Whether no file that the compiler's lists (-MD) name is newer than `product`.
@@ -46,27 +108,31 @@ bool is_current(const fs::path& product, const std::vector<fs::path>& lists) {
   const auto time = fs::last_write_time(product, error);
   if (error) return false;
   for (const fs::path& list : lists) {
-    std::ifstream file(list);
-    if (!file) return false;
-    for (std::string word; file >> word;)
-      if (word != "\\" && !word.ends_with(":") && (fs::last_write_time(word, error) > time || error))
-        return false;
+    std::error_code none;
+    if (!fs::exists(list, none)) return false;
+    for (const std::string& source : sources_in(read_whole(list)))
+      if (fs::last_write_time(source, error) > time || error) return false;
   }
   return true;
 }
 
 /// Runs the commands if one of them is another one than the last time, or a source is newer than `product`. `lists` are
 /// the endings of the compiler's lists of the sources.
-void make(const fs::path& product, const std::string& commands, const std::vector<std::string>& lists) {
+void make(const fs::path& product, const std::string& compiler, const std::string& commands,
+          const std::vector<std::string>& lists) {
   const std::string stem = (product.parent_path() / product.stem()).string();
   const fs::path last = stem + ".command";
   std::vector<fs::path> files;
   for (const std::string& ending : lists) files.emplace_back(stem + ending);
   std::error_code error;
-  if (fs::exists(last, error) && read_whole(last) == commands && is_current(product, files)) return;
+  // Another version of the compiler builds another product.
+  const std::string made_by =
+      commands + "\n" + ran(product.parent_path().string(), compiler + " --version").first;
+  if (fs::exists(last, error) && read_whole(last) == made_by && is_current(product, files)) return;
+  fs::remove(last, error);
   const auto [output, good] = ran(product.parent_path().string(), commands);
-  if (!good) throw NotBuilt(printable(first_error(output)));
-  write_whole(last, commands);
+  if (!good) throw NotBuilt(short_line(printable(first_error(output))));
+  write_whole(last, made_by);
 }
 
 const Sources::Adapter& adapter_of(const Sources& sources, const std::string& subject) {
@@ -85,7 +151,7 @@ Sources Sources::of_build_tree() {
         ": is not there: subjects are built for other environments only by a program in its "
         "build tree");
   Sources s;
-  const nlohmann::json all = parsed(read_whole(file));
+  const nlohmann::json all = parsed(read_whole(file));  // CMake wrote it
   s.process = all.at("process"), s.compiler = all.at("compiler"), s.flags = all.at("flags");
   for (const auto& a : all.at("adapters"))
     s.adapters[a.at("name")] = {a.at("source"), a.at("flags"), a.at("libraries")};
@@ -110,8 +176,13 @@ std::string built(const Sources& sources, const std::string& subject, const Envi
   commands +=
       fmt::format("{} {} {}.adapter.o {}.process.o {} {} -o {}", e.compiler, e.flags, shell_quoted(stem),
                   shell_quoted(stem), e.link, a.libraries, shell_quoted(product.string()));
-  make(product, commands, {".d", ".process.d"});
+  make(product, e.compiler, commands, {".d", ".process.d"});
   return (e.run.empty() ? "exec " : "exec " + e.run + " ") + shell_quoted(product.string());
+}
+
+void forget(const std::string& subject, const Environment& e, const std::string& folder) {
+  std::error_code error;
+  fs::remove(fs::path(folder) / (subject + "-" + e.name + ".command"), error);
 }
 
 std::string built_for_program(const Sources& sources, const std::string& subject, const std::string& folder) {
@@ -119,7 +190,7 @@ std::string built_for_program(const Sources& sources, const std::string& subject
   fs::create_directories(folder);
   const fs::path product = fs::absolute(fs::path(folder) / (subject + "-program.so"));
   const std::string stem = (product.parent_path() / product.stem()).string();
-  make(product,
+  make(product, sources.compiler,
        fmt::format("{} -std=gnu++20 -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} {} -o {}", sources.compiler,
                    sources.flags, a.flags, shell_quoted(stem), shell_quoted(a.source), a.libraries,
                    shell_quoted(product.string())),

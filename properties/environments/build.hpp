@@ -31,6 +31,9 @@ struct NotBuilt : std::runtime_error {
 std::string built(const Sources& sources, const std::string& subject, const Environment& e,
                   const std::string& folder);
 
+/// The next call of built() compiles it again: what it returned does not start.
+void forget(const std::string& subject, const Environment& e, const std::string& folder);
+
 /// The same with the program's own compiler and flags, as a library in this process.
 std::string built_for_program(const Sources& sources, const std::string& subject, const std::string& folder);
 

@@ -13,11 +13,14 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <oracles/exp.hpp>
 #include <oracles/quaternion.hpp>
+#include <random>
 #include <stdexcept>
 #include <subjects/subject.hpp>
+#include <support/file_lock.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
@@ -43,6 +46,11 @@ std::uint64_t mixed(std::uint64_t x) {  // splitmix64: Steele, Lea & Flood 2014
 }
 double uniform(std::uint64_t x) {  // in [-1, 1)
   return std::ldexp(static_cast<double>(mixed(x) >> 11), -52) - 1;
+}
+
+/// The larger one; NaN if one of them is.
+double larger(double a, double b) {
+  return std::isnan(a) ? a : std::isnan(b) ? b : std::max(a, b);
 }
 
 /// A random increment, up to 0.1 rad a component.
@@ -126,8 +134,8 @@ class Path {
       truth_ = oracles::quaternion_product(
           truth_, increments_.product[increments_.sequence(seed_, number_, n_ / block)]);
     n_ += block;
-    norm_ = std::max(norm_, defect());
-    longest_ = std::max(longest_, X_.p.template cast<double>().norm());
+    norm_ = larger(norm_, defect());
+    longest_ = larger(longest_, X_.p.template cast<double>().norm());
   }
   /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. For back, whose way back is made for it,
   /// the larger one of the angle and of the distance over the longest one so far.
@@ -138,7 +146,7 @@ class Path {
       there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(at)));
     const double turned = (there.X_.R - Mat<S, 3>::Identity()).template cast<double>().norm() / std::sqrt(2);
     const double moved = there.X_.p.template cast<double>().norm() / longest_;
-    return {norm_ / eps, std::max(turned, moved) / eps};
+    return {norm_ / eps, larger(turned, moved) / eps};
   }
 
   json state() const {
@@ -155,6 +163,7 @@ class Path {
             {"truth", truth}};
   }
   void restore(const json& s) {
+    if (!s.at("n").is_number_unsigned()) throw std::invalid_argument("its number of steps is no count");
     n_ = s.at("n"), norm_ = parse_float<double>(s.at("norm")),
     longest_ = parse_float<double>(s.at("longest"));
     const json& x = s.at("numbers");
@@ -241,25 +250,29 @@ std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
 /// The state of all paths in a file.
 class State {
  public:
-  explicit State(const HorizonOptions& o) : file_(o.state), progress_(o.progress) {
-    const json what{{"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}};
+  explicit State(const HorizonOptions& o) : file_(o.state), lock_(o.state), progress_(o.progress) {
+    const json what{{"program", LIECHECK_VERSION}, {"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}};
     all_ = {{"horizons", 1}, {"options", what}, {"paths", json::object()}};
     if (file_.empty() || !std::filesystem::exists(file_)) return;
     json before;
     try {
       before = parsed(read_whole(file_));
-    } catch (const json::exception& e) {
-      throw std::invalid_argument(fmt::format("{}: is not JSON: {}", file_, e.what()));
+    } catch (const json::exception&) {
+      throw std::invalid_argument(fmt::format("{}: is not JSON", file_));
     }
-    if (!before.is_object() || before.value("horizons", 0) != 1 || before.value("options", json()) != what)
-      throw std::invalid_argument(fmt::format("{}: is no state of a run with {} steps, {} paths and seed {}",
-                                              file_, o.steps, o.paths, o.seed));
+    if (!before.is_object() || !before.contains("horizons") || before["horizons"] != 1 ||
+        !before.contains("options") || before["options"] != what || !before.contains("paths") ||
+        !before["paths"].is_object())
+      throw std::invalid_argument(
+          fmt::format("{}: is no state of a run of this version with {} steps, {} paths and seed {}", file_,
+                      o.steps, o.paths, o.seed));
     all_ = before;
   }
   json get(const std::string& path) {
     const std::lock_guard lock(mutex_);
     return all_["paths"].value(path, json());
   }
+  const std::string& file() const { return file_; }
   void tell(const std::string& path, double share) {
     const std::lock_guard lock(mutex_);
     if (progress_) progress_(path, share);
@@ -277,6 +290,7 @@ class State {
 
  private:
   std::string file_;
+  FileLock lock_;
   std::function<void(const std::string&, double)> progress_;
   std::mutex mutex_;
   json all_;
@@ -288,11 +302,22 @@ template <class S>
 std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& name,
                                               const std::vector<std::uint64_t>& at, State& state) {
   std::vector<std::pair<double, double>> errors;
-  if (const json before = state.get(name); !before.is_null()) {
-    path.restore(before);
-    for (const json& e : before.at("errors"))
-      errors.emplace_back(parse_float<double>(e.at(0)), parse_float<double>(e.at(1)));
-  }
+  if (const json before = state.get(name); !before.is_null()) try {
+      path.restore(before);
+      for (const json& e : before.at("errors"))
+        errors.emplace_back(parse_float<double>(e.at(0)), parse_float<double>(e.at(1)));
+      // A checkpoint that was reached exactly may have been written before its errors.
+      const auto below = std::ranges::lower_bound(at, path.n()) - at.begin(),
+                 reached = std::ranges::upper_bound(at, path.n()) - at.begin();
+      const auto n = static_cast<std::ptrdiff_t>(errors.size());
+      if (path.n() % block != 0 || path.n() > at.back() || n < below || n > reached)
+        throw std::invalid_argument("its number of steps does not fit its errors");
+    } catch (const json::exception&) {
+      throw std::invalid_argument(
+          fmt::format("{}: '{}': a member is missing or of another type", state.file(), name));
+    } catch (const std::exception& e) {
+      throw std::invalid_argument(fmt::format("{}: '{}': {}", state.file(), name, e.what()));
+    }
   const auto write = [&](bool end) {
     json s = path.state();
     s["errors"] = json::array();
@@ -335,13 +360,13 @@ std::optional<Horizon> measured(const Subject<S>& subject, const std::string& wa
   for (std::size_t k = 0; k < at.size(); ++k) {
     HorizonPoint p{at[k]};
     for (const auto& e : errors) {
-      p.norm = std::max(p.norm, e[k].first);
+      p.norm = larger(p.norm, e[k].first);
       p.attitude += e[k].second * e[k].second / o.paths;
     }
     p.attitude = std::sqrt(p.attitude);
     h.points.push_back(p);
   }
-  fit_growth(h);
+  fit_growth(h, o.paths);
   return h;
 }
 
@@ -352,7 +377,11 @@ bool measure_in(const HorizonOptions& o, State& state, const std::function<void(
     for (const Subject<S>* s : subjects<S>()) {
       if (s->name != name) continue;
       for (const std::string& walk : o.walks) {
-        if (walk == "scene" || !Path<S>::offered(s->operations, walk)) continue;
+        if (walk == "scene") continue;
+        if (!Path<S>::offered(s->operations, walk)) {
+          if (o.left_out) o.left_out(fmt::format("{} offers no {} in {}", name, walk, scalar_name<S>()));
+          continue;
+        }
         HorizonOptions own = o;
         if (walk == "pure" || walk == "coning") own.paths = 1;  // they have no random numbers
         const auto h = measured(*s, walk, own, state);
@@ -365,25 +394,57 @@ bool measure_in(const HorizonOptions& o, State& state, const std::function<void(
 
 }  // namespace
 
-void fit_growth(Horizon& h) {
-  // The 97.5 % quantiles of Student's t for 1 to 12 degrees of freedom: Abramowitz & Stegun, table 26.10.
-  constexpr double t[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447,
-                          2.365,  2.306, 2.262, 2.228, 2.201, 2.179};
-  std::vector<std::pair<double, double>> xy;
+namespace {
+
+/// The slope of y over x by least squares.
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
+               mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    xx += (x[i] - mean_x) * (x[i] - mean_x), xy += (x[i] - mean_x) * (y[i] - mean_y);
+  return xy / xx;
+}
+
+/// Slopes fitted to simulated sums of independent errors, at these numbers of steps and with so many paths, in order.
+std::vector<double> slopes_of_random_walks(const std::vector<double>& n, unsigned paths) {
+  constexpr int walks = 2000;
+  std::mt19937_64 random(42);
+  std::normal_distribution<double> normal;
+  std::vector<double> x, slopes;
+  for (const double steps : n) x.push_back(std::log(steps));
+  for (int walk = 0; walk < walks; ++walk) {
+    std::vector<double> squares(n.size(), 0), y;
+    for (unsigned path = 0; path < paths; ++path) {
+      std::array<double, 3> angle{};
+      for (std::size_t k = 0; k < n.size(); ++k)
+        for (double& component : angle) {
+          component += std::sqrt(n[k] - (k ? n[k - 1] : 0)) * normal(random);
+          squares[k] += component * component;
+        }
+    }
+    for (const double square : squares) y.push_back(std::log(square) / 2);
+    slopes.push_back(slope(x, y));
+  }
+  std::ranges::sort(slopes);
+  return slopes;
+}
+
+}  // namespace
+
+void fit_growth(Horizon& h, unsigned paths) {
+  std::vector<double> n, x, y;
   for (const HorizonPoint& p : h.points)
-    if (p.n >= 1000 && p.attitude > 0)
-      xy.emplace_back(std::log(static_cast<double>(p.n)), std::log(p.attitude));
+    if (p.n >= 1000 && p.attitude > 0 && std::isfinite(p.attitude))
+      n.push_back(static_cast<double>(p.n)), x.push_back(std::log(n.back())),
+          y.push_back(std::log(p.attitude));
   h.exponent = h.low = h.high = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t n = xy.size();
-  if (n < 3) return;
-  double x = 0, y = 0, xx = 0, xy_sum = 0, rest = 0;
-  for (const auto& [a, b] : xy) x += a / static_cast<double>(n), y += b / static_cast<double>(n);
-  for (const auto& [a, b] : xy) xx += (a - x) * (a - x), xy_sum += (a - x) * (b - y);
-  h.exponent = xy_sum / xx;
-  for (const auto& [a, b] : xy) rest += std::pow(b - y - h.exponent * (a - x), 2);
-  const double error =
-      std::sqrt(rest / static_cast<double>(n - 2) / xx) * t[std::min(n - 3, std::size(t) - 1)];
-  h.low = h.exponent - error, h.high = h.exponent + error;
+  if (n.size() < 3) return;
+  h.exponent = slope(x, y);
+  const std::vector<double> slopes = slopes_of_random_walks(n, paths);
+  h.low = h.exponent + 0.5 - slopes[slopes.size() * 39 / 40];
+  h.high = h.exponent + 0.5 - slopes[slopes.size() / 40];
 }
 
 bool measure_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
@@ -391,6 +452,9 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
     if (!std::ranges::count(horizon_walks, walk))
       throw std::invalid_argument(
           fmt::format("--walk: unknown walk '{}'; known: {}", walk, fmt::join(horizon_walks, ", ")));
+  for (const std::string& scalar : o.scalars)
+    if (scalar != "float" && scalar != "double")
+      throw std::invalid_argument(fmt::format("--scalar: unknown scalar '{}'; known: float, double", scalar));
   for (const std::string& name : o.subjects)
     if (std::ranges::none_of(subjects<double>(), [&](const auto* s) { return s->name == name; }) &&
         std::ranges::none_of(subjects<float>(), [&](const auto* s) { return s->name == name; }))

@@ -22,6 +22,8 @@ struct HorizonOptions {
   std::string state;  ///< a file from which a path goes on, or ""
   /// The name of a path and the share of its steps that is done. Threads call it one after another.
   std::function<void(const std::string&, double)> progress;
+  /// What a subject does not offer, in words.
+  std::function<void(const std::string&)> left_out;
 };
 
 /// After n steps, over all paths.
@@ -43,7 +45,8 @@ struct Horizon {
 /// state of other options.
 bool measure_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
 
-/// The slope of log y over log x by least squares, and its 95 % interval by Student's t. Points with y = 0 are left out.
-void fit_growth(Horizon& horizon);
+/// The slope of log attitude over log n by least squares, over the points with n >= 1000, and its 95 % interval: that of the
+/// slopes of random walks, sums of independent errors, at the same points and with as many paths. 2000 are simulated.
+void fit_growth(Horizon& horizon, unsigned paths);
 
 }  // namespace liecheck::properties

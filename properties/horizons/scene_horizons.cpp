@@ -43,22 +43,25 @@ Horizon measured(Benchmark scene, std::uint64_t steps, const std::function<void(
   double norm = 0;
   std::uint64_t parts = 0;
   runner->run({static_cast<long>(1000 * part), 0}, 1000, [&](double t, const Moment& m) {
-    norm = std::max(norm, norm_defect(scene, m));
+    const double defect = norm_defect(scene, m);
+    norm = std::isnan(defect) || defect > norm ? defect : norm;
     if (std::ranges::count(looks, static_cast<int>(parts)))
       h.points.push_back(
           {parts * part, norm / eps, motion_error(scene.robot, m, truth->at(t)).leading() / eps});
     progress(static_cast<double>(parts++) / 1000);
   });
-  fit_growth(h);
+  fit_growth(h, 1);
   return h;
 }
 
 }  // namespace
 
 bool measure_scene_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
-  if (!std::ranges::count(o.walks, "scene") || !std::ranges::count(o.subjects, "liecheck") ||
-      !std::ranges::count(o.scalars, "double"))
+  if (!std::ranges::count(o.walks, "scene")) return true;
+  if (!std::ranges::count(o.subjects, "liecheck") || !std::ranges::count(o.scalars, "double")) {
+    if (o.left_out) o.left_out("scene is a walk of liecheck in double");
     return true;
+  }
   std::vector<Benchmark> scenes;
   for (Benchmark& scene : builtin_benchmarks())
     if (const auto truth = truth_of(scene); truth && truth->closed) scenes.push_back(std::move(scene));

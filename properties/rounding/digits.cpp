@@ -63,7 +63,7 @@ class MeanSquare {
   /// Not more than the digits of double: an error below a rounding tells nothing.
   double digits() const {
     const double rms = std::sqrt(sum_ / double(std::max<std::size_t>(1, n_)));
-    return -std::log10(std::clamp(rms, 0x1p-53, 1.0));
+    return 0 - std::log10(std::clamp(rms, 0x1p-53, 1.0));
   }
   std::size_t count() const { return n_; }
 
@@ -138,7 +138,8 @@ Numbers exact_result(const Operation& operation, const Numbers& x) try {
 const Subject<double>& subject_named(const std::string& name) {
   for (const Subject<double>* s : subjects<double>())
     if (s->name == name) return *s;
-  throw std::invalid_argument(fmt::format("unknown subject '{}' in double", name));
+  throw std::invalid_argument(
+      fmt::format("--subject: unknown subject '{}' in double; 'liecheck list' shows them", name));
 }
 
 std::vector<Tested> tested(const std::string& name) {
@@ -232,6 +233,12 @@ void measure(const std::string& subject, const Tested& t, std::size_t band, cons
            t.at_random ? sums[p].without_exemption.digits() : std::nan("")});
 }
 
+/// The name of a file with its line, without its folders and what addr2line adds.
+std::string file_and_line(const std::string& place) {
+  const std::string name = place.substr(place.rfind('/') + 1);
+  return name.substr(0, name.find(' '));
+}
+
 /// The line of each address, as addr2line of binutils finds it: the innermost one of the subject that is no
 /// primitive such as mul_add.
 std::map<const void*, RoundingLine> lines_of(const std::set<const void*>& sites) {
@@ -251,11 +258,12 @@ std::map<const void*, RoundingLine> lines_of(const std::set<const void*>& sites)
   if (readlink("/proc/self/exe", self, sizeof self - 1) < 0)
     throw std::runtime_error("cannot read /proc/self/exe");
   command.replace(command.find("/proc/self/exe"), 14, fmt::format("'{}'", self));
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  if (!pipe) throw std::runtime_error("cannot run addr2line, of the package binutils");
+  FILE* const pipe = popen(command.c_str(), "r");
   std::string text;
   char buffer[4096];
-  while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe.get())) text.append(buffer, n);
+  while (const std::size_t n = pipe ? fread(buffer, 1, sizeof buffer, pipe) : 0) text.append(buffer, n);
+  if (!pipe || pclose(pipe) != 0)
+    throw std::runtime_error("--where: addr2line, of the package binutils, cannot be run");
   std::istringstream lines(text);
   std::size_t at = 0;
   bool chosen = true;
@@ -267,6 +275,8 @@ std::map<const void*, RoundingLine> lines_of(const std::set<const void*>& sites)
     if (in == std::string::npos) continue;
     std::string place = line.substr(in + 4);
     const std::string function = line.substr(inlined ? 14 : 0, in - (inlined ? 14 : 0));
+    // Code that is not the subject's, such as a product of Eigen's that was not inlined, has its outermost line.
+    all[order[at - 1]] = {file_and_line(place), function, 0};
     const bool ours =
         place.find("/lib/liecheck/") != std::string::npos || place.find("/subjects/") != std::string::npos;
     const bool primitive = place.find("/scalar/double_word.hpp") != std::string::npos ||
@@ -296,7 +306,19 @@ std::vector<std::string> digits_bands() {
   return all;
 }
 
+void check_digits(const DigitsOptions& options) {
+  for (const std::string& subject : options.subjects) subject_named(subject);
+  std::vector<std::string> known;
+  SpatialSlots<double>::for_each([&](const auto& operation) { known.emplace_back(operation.name); });
+  for (const RobotFunction& f : quadruped_functions()) known.emplace_back(f.operation->name);
+  for (const std::string& name : options.operations)
+    if (!std::ranges::count(known, name))
+      throw std::invalid_argument(
+          fmt::format("--operation: unknown operation '{}'; 'liecheck list' shows them", name));
+}
+
 void measure_digits(const DigitsOptions& options, const std::function<void(const DigitsRow&)>& row) {
+  check_digits(options);
   for (const std::string& subject : options.subjects.empty() ? stochastic_subjects() : options.subjects) {
     for (const Tested& t : tested(subject)) {
       const std::string name(t.operation->name);
@@ -310,6 +332,7 @@ void measure_digits(const DigitsOptions& options, const std::function<void(const
 }
 
 std::vector<RoundingLine> rounding_lines(const DigitsOptions& options, const std::string& band) {
+  check_digits(options);
   for (const Tested& t : tested(options.subjects.front())) {
     const auto named = std::ranges::find(t.bands, band);
     if (t.operation->name != options.operations.front() || !t.at_random || named == t.bands.end()) continue;
@@ -343,8 +366,9 @@ std::vector<RoundingLine> rounding_lines(const DigitsOptions& options, const std
     return all;
   }
   throw std::invalid_argument(fmt::format(
-      "--where: subject '{}' has no operation '{}' in band '{}' that is compiled for random rounding",
-      options.subjects.front(), options.operations.front(), band));
+      "--where: subject '{}' has no operation '{}' in band '{}' that is compiled for random rounding; "
+      "bands: {}",
+      options.subjects.front(), options.operations.front(), band, fmt::join(digits_bands(), ", ")));
 }
 
 }  // namespace liecheck::properties

@@ -41,6 +41,9 @@ struct RoundingLine {
 /// The subjects whose code is compiled for Stochastic. Any other subject is called in the four rounding modes.
 std::vector<std::string> stochastic_subjects();
 
+/// Throws std::invalid_argument that names an unknown subject or operation.
+void check_digits(const DigitsOptions& options);
+
 /// Calls row() for each row as soon as it is known. Throws std::invalid_argument that names an unknown subject or
 /// operation.
 void measure_digits(const DigitsOptions& options, const std::function<void(const DigitsRow&)>& row);

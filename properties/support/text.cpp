@@ -1,6 +1,7 @@
 #include <support/text.hpp>
 
 #include <fmt/format.h>
+#include <support/json.hpp>
 
 namespace liecheck::properties {
 
@@ -18,6 +19,11 @@ std::string printable(const std::string& text) {
     } else if (byte == 0xC2 && next >= 0x80 && next < 0xA0) {  // C1 in UTF-8
       out += fmt::format("\\x{:02x}", next);
       ++i;
+    } else if (byte >= 0x80) {
+      const std::string letter = text.substr(i, byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4);
+      const bool whole = is_utf8(letter);
+      out += whole ? letter : fmt::format("\\x{:02x}", byte);
+      if (whole) i += letter.size() - 1;
     } else {
       out += text[i];
     }

@@ -5,7 +5,8 @@
 
 namespace liecheck::properties {
 
-/// Returns the text on one line, with control characters (C0, DEL, C1) escaped as \n, \t or \xNN.
+/// Returns the text on one line, with control characters (C0, DEL, C1) and bytes that are not UTF-8 escaped as \n,
+/// \t or \xNN.
 std::string printable(const std::string& text);
 
 /// Returns one word for a POSIX shell, quoted where necessary.

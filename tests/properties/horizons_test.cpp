@@ -4,8 +4,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <horizons/scene_horizons.hpp>
+#include <nlohmann/json.hpp>
+#include <random>
 #include <subjects/subject.hpp>
+#include <support/file_lock.hpp>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 
 #include "../scratch.hpp"
@@ -43,6 +48,18 @@ const Registered<double> grows([] {
   return s;
 }());
 
+/// integrate that returns NaN from some rotation on.
+const Registered<double> gives_nan([] {
+  Subject<double> s;
+  s.name = "horizon:nan";
+  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
+    O::V7 next = good()[op::integrate](q, d);
+    if (std::fabs(q[3]) > 0.3) next[6] = std::nan("");
+    return next;
+  };
+  return s;
+}());
+
 Horizon one(HorizonOptions o, const std::string& subject, const std::string& walk) {
   o.subjects = {subject}, o.scalars = {"double"}, o.walks = {walk};
   Horizon found;
@@ -72,6 +89,51 @@ TEST(Horizons, ANormThatGrowsIsMeasured) {
   const double expected = 8.0 * static_cast<double>(bad.points.back().n);
   EXPECT_GT(expected, 8 * 6000);
   EXPECT_NEAR(bad.points.back().norm, expected, 0.25 * expected);
+}
+
+TEST(Horizons, ANotFiniteResultIsNotForgotten) {
+  HorizonOptions o;
+  o.steps = 6400, o.paths = 2;
+  const Horizon bad = one(o, "horizon:nan", "random");
+  EXPECT_TRUE(std::isnan(bad.points.back().norm));
+  EXPECT_TRUE(std::isnan(bad.points.back().attitude));
+}
+
+TEST(Horizons, AStateThatDoesNotFitIsRefusedByItsName) {
+  HorizonOptions o;
+  o.steps = 6400, o.paths = 1, o.scalars = {"double"}, o.walks = {"random"};
+  o.state = (std::filesystem::path(liecheck::scratch()) / "tampered.json").string();
+  const auto run = [&] { return measure_horizons(o, [](const Horizon&) {}); };
+  std::filesystem::remove(o.state);
+  ASSERT_TRUE(run());
+  const auto whole = nlohmann::json::parse(read_whole(o.state));
+  const std::string path = "liecheck double random 0";
+  ASSERT_TRUE(whole.at("paths").contains(path));
+  const auto refusal = [&](const std::function<void(nlohmann::json&)>& change) -> std::string {
+    nlohmann::json changed = whole;
+    change(changed);
+    write_whole(o.state, changed.dump());
+    try {
+      run();
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal([](auto&) {}), "");
+  const std::string name = o.state + ": ", its = name + "'" + path + "': ";
+  EXPECT_EQ(refusal([](auto& j) { j["horizons"] = "x"; }).substr(0, name.size()), name);
+  EXPECT_EQ(refusal([](auto& j) { j.erase("paths"); }).substr(0, name.size()), name);
+  for (const char* member : {"n", "norm", "longest", "numbers", "truth", "errors"}) {
+    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path].erase(member); }).substr(0, its.size()), its) << member;
+    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path][member] = "x"; }).substr(0, its.size()), its) << member;
+  }
+  for (const double n : {-1.0, 1030.0, 3.7, 1e300, 0x1p62})
+    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path]["n"] = n; }).substr(0, its.size()), its) << n;
+  for (const std::uint64_t n : {64u, 1030u, 12800u})
+    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path]["n"] = n; }).substr(0, its.size()), its) << n;
+  const FileLock other(o.state);
+  EXPECT_NE(refusal([](auto&) {}).find("another program"), std::string::npos);
 }
 
 TEST(Horizons, APathThatIsInterruptedGoesOnWithTheSameBits) {
@@ -114,10 +176,30 @@ TEST(Horizons, TheIntervalOfAGrowthContainsIt) {
   Horizon h;
   for (std::uint64_t n = 1000; n <= 1'000'000'000; n *= 10)
     h.points.push_back({n, 0, std::sqrt(static_cast<double>(n)) * (n % 7 == 1 ? 1.2 : 0.9)});
-  fit_growth(h);
+  fit_growth(h, 4);
   EXPECT_LT(h.low, 0.5);
   EXPECT_GT(h.high, 0.5);
   EXPECT_LT(h.high - h.low, 0.2);
+}
+
+// Of 200 random walks, about 5 % lie outside.
+TEST(Horizons, TheIntervalOfAGrowthHoldsFor95PercentOfRandomWalks) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  int outside = 0;
+  for (int walk = 0; walk < 200; ++walk) {
+    Horizon h;
+    double angle[3] = {}, before = 0;
+    for (std::uint64_t n = 1024; n <= 1'000'000; n *= 4) {
+      for (double& a : angle) a += std::sqrt(static_cast<double>(n) - before) * normal(random);
+      before = static_cast<double>(n);
+      h.points.push_back({n, 0, std::hypot(angle[0], angle[1], angle[2])});
+    }
+    fit_growth(h, 1);
+    outside += h.low > 0.5 || h.high < 0.5;
+  }
+  EXPECT_GE(outside, 2);
+  EXPECT_LE(outside, 20);
 }
 
 }  // namespace

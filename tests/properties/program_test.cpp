@@ -221,6 +221,7 @@ TEST_F(Program, TextIsQuotedForAShellAndEscapedForATerminal) {
   for (const char* word : {"it's x.urdf", "", "a\nb", "$(echo x)", "*", "plain.urdf", "~", "-n"})
     EXPECT_EQ(shell("printf %s " + shell_quoted(word)).out, word);
   EXPECT_EQ(shell_quoted("a/b-c_1.urdf"), "a/b-c_1.urdf");
+  EXPECT_EQ(printable("\xe6\x9c\xba a\xff\x80 \xe6\x9c"), "\xe6\x9c\xba a\\xff\\x80 \\xe6\\x9c");
   EXPECT_EQ(printable("a\n\t\x1b[31m\x7f\xc2\x9b\xc3\xa9"), "a\\n\\t\\x1b[31m\\x7f\\x9b\xc3\xa9");
 }
 

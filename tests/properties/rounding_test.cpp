@@ -95,6 +95,12 @@ TEST(RandomRounding, NamesTheLineThatLosesDigits) {
   EXPECT_GT(share, 0.9) << "1 - t^2/2 - cos t, and the cosine in it";
 }
 
+TEST(RandomRounding, RefusesUnknownNamesBeforeItMeasures) {
+  EXPECT_THROW(check_digits({{"liecheck", "nope"}, {}}), std::invalid_argument);
+  EXPECT_THROW(check_digits({{}, {"exp3_matrix", "nope"}}), std::invalid_argument);
+  EXPECT_NO_THROW(check_digits({{"liecheck"}, {"exp3_matrix", "tree_rnea"}}));
+}
+
 TEST(RandomRounding, CallsACompiledSubjectInTheRoundingModes) {
   DigitsOptions options;
   options.subjects = {"eigen"}, options.operations = {"log3_matrix"}, options.inputs = 8;
