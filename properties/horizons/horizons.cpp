@@ -1,3 +1,4 @@
+#include <horizons/horizon_state.hpp>
 #include <horizons/horizons.hpp>
 
 #include <fmt/format.h>
@@ -5,22 +6,16 @@
 #include <array>
 #include <atomic>
 #include <campaign/case_id.hpp>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <oracles/exp.hpp>
 #include <oracles/quaternion.hpp>
-#include <random>
 #include <stdexcept>
 #include <subjects/subject.hpp>
-#include <support/file_lock.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
@@ -247,60 +242,10 @@ std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
   return all;
 }
 
-/// The state of all paths in a file.
-class State {
- public:
-  explicit State(const HorizonOptions& o) : file_(o.state), lock_(o.state), progress_(o.progress) {
-    const json what{{"program", LIECHECK_VERSION}, {"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}};
-    all_ = {{"horizons", 1}, {"options", what}, {"paths", json::object()}};
-    if (file_.empty() || !std::filesystem::exists(file_)) return;
-    json before;
-    try {
-      before = parsed(read_whole(file_));
-    } catch (const json::exception&) {
-      throw std::invalid_argument(fmt::format("{}: is not JSON", file_));
-    }
-    if (!before.is_object() || !before.contains("horizons") || before["horizons"] != 1 ||
-        !before.contains("options") || before["options"] != what || !before.contains("paths") ||
-        !before["paths"].is_object())
-      throw std::invalid_argument(
-          fmt::format("{}: is no state of a run of this version with {} steps, {} paths and seed {}", file_,
-                      o.steps, o.paths, o.seed));
-    all_ = before;
-  }
-  json get(const std::string& path) {
-    const std::lock_guard lock(mutex_);
-    return all_["paths"].value(path, json());
-  }
-  const std::string& file() const { return file_; }
-  void tell(const std::string& path, double share) {
-    const std::lock_guard lock(mutex_);
-    if (progress_) progress_(path, share);
-  }
-  /// Writes the file at most every ten seconds, and when a path ends.
-  void put(const std::string& path, json state, bool end) {
-    if (file_.empty()) return;
-    const std::lock_guard lock(mutex_);
-    all_["paths"][path] = std::move(state);
-    const auto now = std::chrono::steady_clock::now();
-    if (!end && now - written_ < std::chrono::seconds(10)) return;
-    written_ = now;
-    write_whole(file_, dumped(all_));
-  }
-
- private:
-  std::string file_;
-  FileLock lock_;
-  std::function<void(const std::string&, double)> progress_;
-  std::mutex mutex_;
-  json all_;
-  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
-};
-
 /// Goes on with a path to its end. Returns its errors at the checkpoints, or fewer if stop_requested.
 template <class S>
 std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& name,
-                                              const std::vector<std::uint64_t>& at, State& state) {
+                                              const std::vector<std::uint64_t>& at, HorizonState& state) {
   std::vector<std::pair<double, double>> errors;
   if (const json before = state.get(name); !before.is_null()) try {
       path.restore(before);
@@ -344,7 +289,7 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
 
 template <class S>
 std::optional<Horizon> measured(const Subject<S>& subject, const std::string& walk, const HorizonOptions& o,
-                                State& state) {
+                                HorizonState& state) {
   const Increments<S> increments(walk, o.seed);
   const auto at = checkpoints(o.steps);
   std::vector<std::vector<std::pair<double, double>>> errors(o.paths);
@@ -371,7 +316,8 @@ std::optional<Horizon> measured(const Subject<S>& subject, const std::string& wa
 }
 
 template <class S>
-bool measure_in(const HorizonOptions& o, State& state, const std::function<void(const Horizon&)>& report) {
+bool measure_in(const HorizonOptions& o, HorizonState& state,
+                const std::function<void(const Horizon&)>& report) {
   if (!std::ranges::count(o.scalars, scalar_name<S>())) return true;
   for (const std::string& name : o.subjects)
     for (const Subject<S>* s : subjects<S>()) {
@@ -394,59 +340,6 @@ bool measure_in(const HorizonOptions& o, State& state, const std::function<void(
 
 }  // namespace
 
-namespace {
-
-/// The slope of y over x by least squares.
-double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<double>(x.size());
-  const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
-               mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
-  double xx = 0, xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    xx += (x[i] - mean_x) * (x[i] - mean_x), xy += (x[i] - mean_x) * (y[i] - mean_y);
-  return xy / xx;
-}
-
-/// Slopes fitted to simulated sums of independent errors, at these numbers of steps and with so many paths, in order.
-std::vector<double> slopes_of_random_walks(const std::vector<double>& n, unsigned paths) {
-  constexpr int walks = 2000;
-  std::mt19937_64 random(42);
-  std::normal_distribution<double> normal;
-  std::vector<double> x, slopes;
-  for (const double steps : n) x.push_back(std::log(steps));
-  for (int walk = 0; walk < walks; ++walk) {
-    std::vector<double> squares(n.size(), 0), y;
-    for (unsigned path = 0; path < paths; ++path) {
-      std::array<double, 3> angle{};
-      for (std::size_t k = 0; k < n.size(); ++k)
-        for (double& component : angle) {
-          component += std::sqrt(n[k] - (k ? n[k - 1] : 0)) * normal(random);
-          squares[k] += component * component;
-        }
-    }
-    for (const double square : squares) y.push_back(std::log(square) / 2);
-    slopes.push_back(slope(x, y));
-  }
-  std::ranges::sort(slopes);
-  return slopes;
-}
-
-}  // namespace
-
-void fit_growth(Horizon& h, unsigned paths) {
-  std::vector<double> n, x, y;
-  for (const HorizonPoint& p : h.points)
-    if (p.n >= 1000 && p.attitude > 0 && std::isfinite(p.attitude))
-      n.push_back(static_cast<double>(p.n)), x.push_back(std::log(n.back())),
-          y.push_back(std::log(p.attitude));
-  h.exponent = h.low = h.high = std::numeric_limits<double>::quiet_NaN();
-  if (n.size() < 3) return;
-  h.exponent = slope(x, y);
-  const std::vector<double> slopes = slopes_of_random_walks(n, paths);
-  h.low = h.exponent + 0.5 - slopes[slopes.size() * 39 / 40];
-  h.high = h.exponent + 0.5 - slopes[slopes.size() / 40];
-}
-
 bool measure_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
   for (const std::string& walk : o.walks)
     if (!std::ranges::count(horizon_walks, walk))
@@ -460,7 +353,9 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
         std::ranges::none_of(subjects<float>(), [&](const auto* s) { return s->name == name; }))
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
-  State state(o);
+  HorizonState state(
+      o.state, {{"program", LIECHECK_VERSION}, {"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}},
+      o.progress);
   return measure_in<float>(o, state, report) && measure_in<double>(o, state, report);
 }
 

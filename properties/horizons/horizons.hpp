@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <horizons/horizon.hpp>
 #include <string>
 #include <vector>
 
@@ -26,27 +27,9 @@ struct HorizonOptions {
   std::function<void(const std::string&)> left_out;
 };
 
-/// After n steps, over all paths.
-struct HorizonPoint {
-  std::uint64_t n = 0;
-  double norm = 0;      ///< largest | |Q|^2 - 1 | or |R^T R - I| so far [eps]
-  double attitude = 0;  ///< root of the mean square of the angle between the pose and the exact one [eps]
-};
-
-struct Horizon {
-  std::string subject, scalar, walk;
-  std::vector<HorizonPoint> points;
-  double exponent = 0, low = 0,
-         high = 0;  ///< attitude ~ n^exponent, fitted from n = 1000 on; the 95 % interval
-};
-
 /// Measures each walk of each subject, reports it, and writes the state now and then and at the end. A walk that is not
 /// offered is left out, and `scene` is left to scene_horizons.hpp. Returns false if stop_requested. Throws std::invalid_argument for an unknown name, or for a
 /// state of other options.
 bool measure_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
-
-/// The slope of log attitude over log n by least squares, over the points with n >= 1000, and its 95 % interval: that of the
-/// slopes of random walks, sums of independent errors, at the same points and with as many paths. 2000 are simulated.
-void fit_growth(Horizon& horizon, unsigned paths);
 
 }  // namespace liecheck::properties
