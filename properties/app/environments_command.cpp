@@ -239,7 +239,7 @@ class Run {
   void not_built(const Tested& t, const std::string& environment, std::string why) {
     complete_ = false;
     if (const std::string flag = "--adapter: "; why.starts_with(flag))
-      why.erase(0, flag.size());  // nobody gave it
+      why.erase(0, flag.size());  // a flag that the user did not give
     lines_.push_back(fmt::format("not built: {} for {}: {}", t.name, environment, why));
     not_built_.push_back({{"subject", t.name}, {"environment", environment}, {"why", why}});
   }

@@ -19,7 +19,7 @@ struct ProvedBound {
   double bound = 0;              ///< eps; infinity if a box has none
   std::uint64_t boxes = 0;       ///< evaluated
   std::string worst;             ///< the box with the largest bound
-  double hunted = 0;             ///< eps: the largest error of the hard cases in double
+  double hunted = 0;             ///< eps: largest_error_of_hard_cases() of hunted.hpp
   double limit = 0;              ///< eps: of the table of limits
 
   /// A search found a larger error than the proof allows: one of the two is wrong.

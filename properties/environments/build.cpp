@@ -151,7 +151,7 @@ Sources Sources::of_build_tree() {
         ": is not there: subjects are built for other environments only by a program in its "
         "build tree");
   Sources s;
-  const nlohmann::json all = parsed(read_whole(file));  // CMake wrote it
+  const nlohmann::json all = parsed(read_whole(file));
   s.process = all.at("process"), s.compiler = all.at("compiler"), s.flags = all.at("flags");
   for (const auto& a : all.at("adapters"))
     s.adapters[a.at("name")] = {a.at("source"), a.at("flags"), a.at("libraries")};

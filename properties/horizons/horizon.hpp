@@ -1,11 +1,18 @@
 #pragma once
 // The errors of one walk at some numbers of steps, and how they grow.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace liecheck::properties {
+
+/// The larger one; NaN if one of them is.
+inline double larger(double a, double b) {
+  return std::isnan(a) ? a : std::isnan(b) ? b : std::max(a, b);
+}
 
 /// After n steps, over all paths.
 struct HorizonPoint {

@@ -43,11 +43,6 @@ double uniform(std::uint64_t x) {  // in [-1, 1)
   return std::ldexp(static_cast<double>(mixed(x) >> 11), -52) - 1;
 }
 
-/// The larger one; NaN if one of them is.
-double larger(double a, double b) {
-  return std::isnan(a) ? a : std::isnan(b) ? b : std::max(a, b);
-}
-
 /// A random increment, up to 0.1 rad a component.
 template <class S>
 Vec<S, 3> random_increment(std::uint64_t key, std::uint64_t k) {

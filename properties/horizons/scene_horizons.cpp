@@ -43,8 +43,7 @@ Horizon measured(Benchmark scene, std::uint64_t steps, const std::function<void(
   double norm = 0;
   std::uint64_t parts = 0;
   runner->run({static_cast<long>(1000 * part), 0}, 1000, [&](double t, const Moment& m) {
-    const double defect = norm_defect(scene, m);
-    norm = std::isnan(defect) || defect > norm ? defect : norm;
+    norm = larger(norm, norm_defect(scene, m));
     if (std::ranges::count(looks, static_cast<int>(parts)))
       h.points.push_back(
           {parts * part, norm / eps, motion_error(scene.robot, m, truth->at(t)).leading() / eps});
