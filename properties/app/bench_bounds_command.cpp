@@ -6,12 +6,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <record/record.hpp>
 #include <stdexcept>
-#include <support/file_lock.hpp>
-#include <support/files.hpp>
-#include <support/json.hpp>
 #include <support/progress.hpp>
+#include <support/run_state.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -24,59 +23,24 @@ struct Flags {
   std::string claim, state, json;
 };
 
-/// The bounds that an earlier call finished, in a file.
-class State {
- public:
-  State(std::string file, const BoundOptions& options) : file_(std::move(file)), boxes_(options.boxes) {
-    if (file_.empty()) return;
-    check_writable(file_);
-    if (std::filesystem::exists(file_)) read();
-  }
-  const ProvedBound* of(const std::string& operation) const {
-    for (const ProvedBound& b : done_)
-      if (b.operation == operation) return &b;
-    return nullptr;
-  }
-  void add(const ProvedBound& b) {
-    if (file_.empty() || b.boxes < boxes_ || !std::isfinite(b.bound)) return;
-    done_.push_back(b);
-    nlohmann::json all = nlohmann::json::array();
-    for (const ProvedBound& d : done_)
-      all.push_back({{"operation", d.operation}, {"bound", d.bound}, {"boxes", d.boxes}, {"worst", d.worst}});
-    write_whole(
-        file_,
-        nlohmann::json({{"bounds_of_liecheck", LIECHECK_VERSION}, {"boxes", boxes_}, {"done", all}}).dump(1) +
-            "\n");
-  }
+using nlohmann::json;
 
- private:
-  std::string file_;
-  std::uint64_t boxes_;
-  std::vector<ProvedBound> done_;
-
-  void read() {
-    const auto wrong = [&](const std::string& why) {
-      return std::invalid_argument(fmt::format("--state: {}: not a state of these proofs: {}", file_, why));
-    };
-    try {
-      const auto j = parsed(read_whole(file_));
-      if (j.at("bounds_of_liecheck") != LIECHECK_VERSION || j.at("boxes") != boxes_)
-        throw wrong("of another version or with another number of boxes");
-      for (const auto& d : j.at("done")) {
-        if (!std::ranges::count(proved_operations(), d.at("operation").get<std::string>()))
-          throw wrong("it has an operation without a proof");
-        ProvedBound b = statement_of(d.at("operation"));
-        b.bound = d.at("bound"), b.worst = printable(d.at("worst").get<std::string>());
-        if (!d.at("boxes").is_number_unsigned() || !(b.bound > 0 && b.bound < 1e15))
-          throw wrong("a bound or a number of boxes is impossible");
-        b.boxes = d.at("boxes");
-        done_.push_back(b);
-      }
-    } catch (const nlohmann::json::exception&) {
-      throw wrong("it is not JSON, or a member is missing or of another type");
-    }
+/// The bound that an earlier call proved, if it did.
+std::optional<ProvedBound> proved_before(const RunState& state, const std::string& operation) {
+  const json before = state.get(operation);
+  if (before.is_null()) return std::nullopt;
+  ProvedBound b = statement_of(operation);
+  try {
+    b.bound = before.at("bound"), b.worst = printable(before.at("worst").get<std::string>());
+    if (before.at("boxes").is_number_unsigned()) b.boxes = before.at("boxes");
+  } catch (const json::exception&) {
   }
-};
+  if (b.boxes == 0 || !(b.bound > 0 && b.bound < 1e15))
+    throw std::invalid_argument(
+        fmt::format("{}: '{}': a member is missing or of another type, or its bound is impossible",
+                    state.file(), operation));
+  return b;
+}
 
 int run(const Flags& f) {
   BoundOptions o = f.options;
@@ -94,8 +58,7 @@ int run(const Flags& f) {
     o.wanted = claim;
   }
   o.operations = without_repeats(o.operations);
-  const FileLock lock(f.state);
-  State state(f.state, o);
+  RunState state(f.state, {{"bounds_of_liecheck", LIECHECK_VERSION}, {"boxes", o.boxes}});
   stop_on_signals();
   std::vector<ProvedBound> rows;
   bool failed = false;
@@ -116,13 +79,17 @@ int run(const Flags& f) {
   };
   std::vector<std::string> open;
   for (const std::string& name : o.operations)
-    if (const ProvedBound* done = state.of(name))
+    if (const auto done = proved_before(state, name))
       show(*done);
     else
       open.push_back(name);
   if (!open.empty()) {
     o.operations = open;
-    run_bounds(o, [&](const ProvedBound& b) { state.add(b), show(b); });
+    run_bounds(o, [&](const ProvedBound& b) {
+      if (b.boxes >= o.boxes && std::isfinite(b.bound))
+        state.put(b.operation, {{"bound", b.bound}, {"boxes", b.boxes}, {"worst", b.worst}});
+      show(b);
+    });
   }
   // Without a finite bound nothing is proved.
   const bool complete = !stop_requested &&

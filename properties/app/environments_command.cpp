@@ -254,8 +254,8 @@ class Run {
   std::optional<Measured> measured(const std::string& subject, const Tested& t, const FloatMode& mode,
                                    const std::string& where) {
     Progress progress("environments");
-    progress.show(0, t.name + " in " + where);
     MeasureOptions options = flags_.options;
+    options.progress = [&](double share) { progress.show(share, t.name + " in " + where); };
     options.hard_cases = !flags_.no_hard_cases;
     return measure(subject, t.profile, mode, options);
   }

@@ -5,7 +5,6 @@
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <hard_cases/attempt.hpp>
-#include <hard_cases/corpus.hpp>
 #include <map>
 #include <utility>
 
@@ -37,14 +36,8 @@ Errors measured() {
   for (const auto& s : select({{"liecheck"}, {"exp_oracle", "log_oracle", "jacobian_oracle"}, {"double"}},
                               built_in_robot())) {
     if (s->property == case_found.property) take(largest, *s, case_found);
-    for (const HardCase& h : built_in_corpus()) {
-      if (!std::ranges::count(h.properties, s->property) ||
-          (!h.scalars.empty() && !std::ranges::count(h.scalars, s->scalar)))
-        continue;
-      CaseId id = s->id(0, 0);
-      id.raw = true, id.input = numbers_of(h, s->fields, format_of(s->scalar));
-      take(largest, *s, id);
-    }
+    for (const HardCase& h : built_in_corpus())
+      if (concerns(h, *s)) take(largest, *s, raw_case(*s, h));
   }
   return largest;
 }

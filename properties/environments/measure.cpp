@@ -66,19 +66,13 @@ Case measured(const TypedSeries<S>& s, const CaseId& id) {
 
 template <class S>
 Case hard(const TypedSeries<S>& s, const HardCase& h) {
-  CaseId id = s.id(0, 0);
-  id.raw = true, id.input = numbers_of(h, s.fields, format_of(s.scalar));
+  const CaseId id = raw_case(s, h);
   const Trial trial = attempt(s, id);
   Case c;
   c.id = id.text();
   for (const std::string& number : trial.input) c.small = c.small || is_small(parse_float<S>(number));
   for (const Judged& j : trial.judged) c.verdicts.push_back(verdict_of(j));
   return c;
-}
-
-bool concerns(const HardCase& h, const Series& s) {
-  return std::ranges::count(h.properties, s.property) && s.robot == "none" &&
-         (h.scalars.empty() || std::ranges::count(h.scalars, s.scalar));
 }
 
 /// Case-wise, `now` beside `before`.
@@ -167,12 +161,16 @@ std::optional<Measured> measure(const std::string& subject, Profile profile, con
   const InMode in(mode);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
+  std::mutex mutex;
+  std::size_t done = 0;
   run_on_threads(options.jobs, stop, [&] {
     for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
       const Task& t = tasks[i];
       m.laws[t.law].cases[t.at] = with_scalar(*all[t.law], [&](const auto& s) {
         return t.hard ? hard(s, *t.hard) : measured(s, s.id(options.seed, t.at));
       });
+      const std::lock_guard lock(mutex);
+      if (options.progress) options.progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
     }
   });
   if (stop_requested) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <campaign/selection.hpp>
 #include <cstdint>
 #include <environments/environments.hpp>
+#include <functional>
 #include <hard_cases/corpus.hpp>
 #include <map>
 #include <string>
@@ -18,6 +19,8 @@ struct MeasureOptions {
   unsigned jobs = 1;
   bool hard_cases = true;
   std::vector<std::string> properties = {}, scalars = {};
+  /// The share of the cases that is done. Threads call it one after another.
+  std::function<void(double)> progress = {};
 };
 
 /// One measurement of a case.

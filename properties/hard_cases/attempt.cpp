@@ -1,5 +1,6 @@
 #include <hard_cases/attempt.hpp>
 
+#include <algorithm>
 #include <campaign/typed_series.hpp>
 #include <invariants/common.hpp>
 #include <oracles/linear_algebra.hpp>
@@ -114,6 +115,17 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
 
 Trial attempt(const Series& series, const CaseId& id) {
   return with_scalar(series, [&](const auto& s) { return attempt_in(s, id); });
+}
+
+bool concerns(const HardCase& h, const Series& s) {
+  return s.robot == "none" && std::ranges::count(h.properties, s.property) &&
+         (h.scalars.empty() || std::ranges::count(h.scalars, s.scalar));
+}
+
+CaseId raw_case(const Series& s, const HardCase& h) {
+  CaseId id = s.id(0, 0);
+  id.raw = true, id.input = numbers_of(h, s.fields, format_of(s.scalar));
+  return id;
 }
 
 }  // namespace liecheck::properties

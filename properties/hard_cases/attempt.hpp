@@ -3,6 +3,7 @@
 // rotations may be off unit, off orthogonal or reflected.
 
 #include <campaign/series.hpp>
+#include <hard_cases/corpus.hpp>
 
 namespace liecheck::properties {
 
@@ -15,5 +16,11 @@ struct Trial {
 
 /// Throws std::invalid_argument for an input that is not valid for the law.
 Trial attempt(const Series& series, const CaseId& id);
+
+/// Whether the case is one of the series' property and scalar, and needs no robot beside its own.
+bool concerns(const HardCase& hard_case, const Series& series);
+
+/// The case as a raw input of the series. Throws std::invalid_argument with file, line and value.
+CaseId raw_case(const Series& series, const HardCase& hard_case);
 
 }  // namespace liecheck::properties

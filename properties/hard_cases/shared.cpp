@@ -6,6 +6,7 @@
 #include <campaign/selection.hpp>
 #include <campaign/typed_series.hpp>
 #include <conventions/reference.hpp>
+#include <hard_cases/attempt.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -114,9 +115,7 @@ class Collector {
 
   template <class S>
   void add_in(const TypedSeries<S>& s, const HardCase& h) {
-    CaseId id = s.id(0, 0);
-    id.raw = true, id.input = numbers_of(h, s.fields, format_of(s.scalar));
-    const std::vector<S> x = s.parsed(id);
+    const std::vector<S> x = s.parsed(raw_case(s, h));
     std::map<std::string_view, double> kappa;
     std::set<const Operation*, ByName> operations;
     for (const Output& o : s.outputs) operations.insert(o.record);
@@ -156,9 +155,7 @@ SharedCorpus shared_corpus(const std::vector<HardCase>& cases) {
   for (const HardCase& h : cases)
     for (const auto& s : all) {
       if (stop_requested) return collector.corpus();
-      if (s->robot == "none" && std::ranges::count(h.properties, s->property) &&
-          (h.scalars.empty() || std::ranges::count(h.scalars, s->scalar)))
-        collector.add(*s, h);
+      if (concerns(h, *s)) collector.add(*s, h);
     }
   return collector.corpus();
 }

@@ -26,6 +26,7 @@ struct Horizon {
   std::vector<HorizonPoint> points;
   double exponent = 0, low = 0,
          high = 0;  ///< attitude ~ n^exponent, fitted from n = 1000 on; the 95 % interval
+  double norm_limit = 0, angle_limit = 0;  ///< of the walk, or 0
 };
 
 /// The slope of log attitude over log n by least squares, over the points with n >= 1000, and its 95 % interval: that of the

@@ -1,4 +1,3 @@
-#include <horizons/horizon_state.hpp>
 #include <horizons/horizons.hpp>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -16,8 +16,7 @@
 #include <oracles/quaternion.hpp>
 #include <stdexcept>
 #include <subjects/subject.hpp>
-#include <support/files.hpp>
-#include <support/json.hpp>
+#include <support/run_state.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 
@@ -78,10 +77,9 @@ struct Increments {
   std::vector<std::array<Vec<S, 3>, block>> phi;
   std::vector<Quaternion<Real>> product;
 
-  Increments(const std::string& walk, std::uint64_t seed) {
-    const std::size_t n = walk == "pure" || walk == "coning" ? 1 : sequences;
-    for (std::size_t i = 0; i < n; ++i) {
-      phi.push_back(increments<S>(walk, mixed(seed) + i));
+  Increments(const Walk& walk, std::uint64_t seed) {
+    for (std::size_t i = 0; i < (walk.random ? sequences : 1); ++i) {
+      phi.push_back(increments<S>(walk.name, mixed(seed) + i));
       Quaternion<Real> Q{{0, 0, 0, 1}};
       for (const auto& one : phi.back()) Q = oracles::quaternion_product(Q, exact_exp(one));
       product.push_back(Q);
@@ -104,33 +102,42 @@ Vec<S, 4> product(const Vec<S, 4>& a, const Vec<S, 4>& b) {
 template <class S>
 class Path {
  public:
-  Path(const Operations<S>& o, const std::string& walk, const Increments<S>& increments, std::uint64_t seed,
+  Path(const Operations<S>& o, const Walk& walk, const Increments<S>& increments, std::uint64_t seed,
        unsigned number)
-      : o_(o), walk_(walk), back_(is_back(walk)), increments_(increments), seed_(seed), number_(number) {
+      : o_(o), walk_(walk), increments_(increments), seed_(seed), number_(number) {
     X_.R.setIdentity(), X_.p.setZero();
     q_ << 0, 0, 0, 0, 0, 0, 1;
   }
-  static bool offered(const Operations<S>& o, const std::string& walk) {
-    if (walk == "first_order") return o[op::exp3_quaternion] && o[op::first_order_normalize];
-    if (walk == "full") return o[op::exp3_quaternion] && o[op::normalize];
-    if (is_back(walk)) return o[op::exp6] && o[op::compose] && o[op::inverse];
-    return o[op::integrate] != nullptr;
+  static bool offered(const Operations<S>& o, Step step) {
+    switch (step) {
+      case Step::integrate:
+        return o[op::integrate] != nullptr;
+      case Step::first_order_normalize:
+        return o[op::exp3_quaternion] && o[op::first_order_normalize];
+      case Step::normalize:
+        return o[op::exp3_quaternion] && o[op::normalize];
+      case Step::compose:
+        return o[op::exp6] && o[op::compose] && o[op::inverse];
+      case Step::scene:
+        return false;
+    }
+    return false;
   }
 
   std::uint64_t n() const { return n_; }
   void advance() {
     for (std::uint64_t k = 0; k < block; ++k) step(n_ + k);
-    if (!back_)
+    if (!composes())
       truth_ = oracles::quaternion_product(
           truth_, increments_.product[increments_.sequence(seed_, number_, n_ / block)]);
     n_ += block;
     norm_ = larger(norm_, defect());
     longest_ = larger(longest_, X_.p.template cast<double>().norm());
   }
-  /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. For back, whose way back is made for it,
-  /// the larger one of the angle and of the distance over the longest one so far.
+  /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. For Step::compose, whose way back is made
+  /// here, the larger one of the angle and of the distance over the longest one so far.
   std::pair<double, double> errors() const {
-    if (!back_) return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
+    if (!composes()) return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
     Path there = *this;
     for (std::uint64_t at = n_; at-- > 0 && (at % block != 0 || !stop_requested);)
       there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(at)));
@@ -168,18 +175,19 @@ class Path {
  private:
   static constexpr double eps = std::numeric_limits<S>::epsilon();
 
-  static bool is_back(const std::string& walk) { return walk.starts_with("back"); }
+  bool composes() const { return walk_.step == Step::compose; }
   Vec<S, 3> increment(std::uint64_t at) const {
-    if (walk_ == "back") return random_increment<S>(seed_ + number_, at);
+    if (!walk_.repeated) return random_increment<S>(seed_ + number_, at);
     return increments_.phi[increments_.sequence(seed_, number_, at / block)][at % block];
   }
   void step(std::uint64_t at) {
     const Vec<S, 3> phi = increment(at);
-    if (back_) {
+    if (composes()) {
       X_ = o_[op::compose](X_, pose(at));
-    } else if (walk_ == "first_order" || walk_ == "full") {
+    } else if (walk_.step != Step::integrate) {
       const Vec<S, 4> Q = product<S>(q_.template tail<4>(), o_[op::exp3_quaternion](phi));
-      q_.template tail<4>() = walk_ == "full" ? o_[op::normalize](Q) : o_[op::first_order_normalize](Q);
+      q_.template tail<4>() =
+          walk_.step == Step::normalize ? o_[op::normalize](Q) : o_[op::first_order_normalize](Q);
     } else {
       Vec<S, 6> delta = Vec<S, 6>::Zero();
       delta.template tail<3>() = phi;
@@ -189,13 +197,13 @@ class Path {
   /// The exponential of an increment and of up to 1 m a component.
   Pose<S> pose(std::uint64_t at) const {
     const std::uint64_t own =
-        walk_ == "back" ? at : increments_.sequence(seed_, number_, at / block) * block + at % block;
+        !walk_.repeated ? at : increments_.sequence(seed_, number_, at / block) * block + at % block;
     Vec<S, 6> xi;
     xi << S(10) * random_increment<S>(mixed(seed_ + number_), own), increment(at);
     return o_[op::exp6](xi);
   }
   double defect() const {
-    if (back_)
+    if (composes())
       return (X_.R.template cast<double>().transpose() * X_.R.template cast<double>() -
               Mat<double, 3>::Identity())
           .norm();
@@ -215,8 +223,7 @@ class Path {
   }
 
   const Operations<S>& o_;
-  std::string walk_;
-  bool back_;  ///< it composes, and goes back
+  Walk walk_;
   const Increments<S>& increments_;
   std::uint64_t seed_;
   unsigned number_;
@@ -237,12 +244,32 @@ std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
   return all;
 }
 
+/// The state of all paths, for several threads.
+struct Shared {
+  RunState state;
+  const HorizonOptions& options;
+  std::mutex mutex;
+
+  json get(const std::string& path) {
+    const std::lock_guard lock(mutex);
+    return state.get(path);
+  }
+  void put(const std::string& path, json value, bool later) {
+    const std::lock_guard lock(mutex);
+    state.put(path, std::move(value), later);
+  }
+  void tell(const std::string& path, double share) {
+    const std::lock_guard lock(mutex);
+    if (options.progress) options.progress(path, share);
+  }
+};
+
 /// Goes on with a path to its end. Returns its errors at the checkpoints, or fewer if stop_requested.
 template <class S>
 std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& name,
-                                              const std::vector<std::uint64_t>& at, HorizonState& state) {
+                                              const std::vector<std::uint64_t>& at, Shared& shared) {
   std::vector<std::pair<double, double>> errors;
-  if (const json before = state.get(name); !before.is_null()) try {
+  if (const json before = shared.get(name); !before.is_null()) try {
       path.restore(before);
       for (const json& e : before.at("errors"))
         errors.emplace_back(parse_float<double>(e.at(0)), parse_float<double>(e.at(1)));
@@ -254,23 +281,23 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
         throw std::invalid_argument("its number of steps does not fit its errors");
     } catch (const json::exception&) {
       throw std::invalid_argument(
-          fmt::format("{}: '{}': a member is missing or of another type", state.file(), name));
+          fmt::format("{}: '{}': a member is missing or of another type", shared.state.file(), name));
     } catch (const std::exception& e) {
-      throw std::invalid_argument(fmt::format("{}: '{}': {}", state.file(), name, e.what()));
+      throw std::invalid_argument(fmt::format("{}: '{}': {}", shared.state.file(), name, e.what()));
     }
   const auto write = [&](bool end) {
     json s = path.state();
     s["errors"] = json::array();
     for (const auto& [norm, attitude] : errors)
       s["errors"].push_back({hexadecimal_float(norm), hexadecimal_float(attitude)});
-    state.put(name, std::move(s), end);
+    shared.put(name, std::move(s), !end);
   };
   for (std::uint64_t blocks = 0; errors.size() < at.size() && !stop_requested; ++blocks) {
     while (path.n() < at[errors.size()] && !stop_requested) {
       path.advance();
       if (path.n() % (block << 14) != 0) continue;
       write(false);
-      state.tell(name, static_cast<double>(path.n()) / static_cast<double>(at.back()));
+      shared.tell(name, static_cast<double>(path.n()) / static_cast<double>(at.back()));
     }
     if (stop_requested) break;
     const auto e = path.errors();
@@ -283,49 +310,51 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
 }
 
 template <class S>
-std::optional<Horizon> measured(const Subject<S>& subject, const std::string& walk, const HorizonOptions& o,
-                                HorizonState& state) {
+std::optional<Horizon> measured(const Subject<S>& subject, const Walk& walk, Shared& shared) {
+  const HorizonOptions& o = shared.options;
+  const unsigned paths = walk.random ? o.paths : 1;
   const Increments<S> increments(walk, o.seed);
   const auto at = checkpoints(o.steps);
-  std::vector<std::vector<std::pair<double, double>>> errors(o.paths);
+  std::vector<std::vector<std::pair<double, double>>> errors(paths);
   std::atomic<unsigned> next{0};
   std::atomic<bool> stop{false};
-  run_on_threads(std::min(o.jobs, o.paths), stop, [&] {
-    for (unsigned i = next++; i < o.paths && !stop && !stop_requested; i = next++)
-      errors[i] = walked(Path<S>(subject.operations, walk, increments, o.seed, i),
-                         fmt::format("{} {} {} {}", subject.name, scalar_name<S>(), walk, i), at, state);
+  run_on_threads(std::min(o.jobs, paths), stop, [&] {
+    for (unsigned i = next++; i < paths && !stop && !stop_requested; i = next++)
+      errors[i] =
+          walked(Path<S>(subject.operations, walk, increments, o.seed, i),
+                 fmt::format("{} {} {} {}", subject.name, scalar_name<S>(), walk.name, i), at, shared);
   });
   if (stop_requested) return std::nullopt;
-  Horizon h{subject.name, scalar_name<S>(), walk, {}};
+  Horizon h{subject.name, scalar_name<S>(), walk.name, {}};
+  h.norm_limit = walk.norm, h.angle_limit = walk.angle;
   for (std::size_t k = 0; k < at.size(); ++k) {
     HorizonPoint p{at[k]};
     for (const auto& e : errors) {
       p.norm = larger(p.norm, e[k].first);
-      p.attitude += e[k].second * e[k].second / o.paths;
+      p.attitude += e[k].second * e[k].second / paths;
     }
     p.attitude = std::sqrt(p.attitude);
     h.points.push_back(p);
   }
-  fit_growth(h, o.paths);
+  fit_growth(h, paths);
   return h;
 }
 
 template <class S>
-bool measure_in(const HorizonOptions& o, HorizonState& state,
-                const std::function<void(const Horizon&)>& report) {
+bool measure_in(Shared& shared, const std::function<void(const Horizon&)>& report) {
+  const HorizonOptions& o = shared.options;
   if (!std::ranges::count(o.scalars, scalar_name<S>())) return true;
   for (const std::string& name : o.subjects)
     for (const Subject<S>* s : subjects<S>()) {
       if (s->name != name) continue;
-      for (const std::string& walk : o.walks) {
-        if (walk == "scene") continue;
-        if (!Path<S>::offered(s->operations, walk)) {
-          if (o.left_out) o.left_out(fmt::format("{} offers no {} in {}", name, walk, scalar_name<S>()));
+      for (const std::string& asked : o.walks) {
+        const Walk& walk = *std::ranges::find(horizon_walks, asked, &Walk::name);
+        if (walk.step == Step::scene) continue;
+        if (!Path<S>::offered(s->operations, walk.step)) {
+          if (o.left_out) o.left_out(fmt::format("{} offers no {} in {}", name, walk.name, scalar_name<S>()));
           continue;
         }
-        HorizonOptions own = o;
-        if (walk == "pure" || walk == "coning") own.paths = 1;  // they have no random numbers
-        const auto h = measured(*s, walk, own, state);
+        const auto h = measured(*s, walk, shared);
         if (!h) return false;
         report(*h);
       }
@@ -335,11 +364,18 @@ bool measure_in(const HorizonOptions& o, HorizonState& state,
 
 }  // namespace
 
+std::vector<std::string> horizon_walk_names() {
+  std::vector<std::string> names;
+  for (const Walk& walk : horizon_walks) names.emplace_back(walk.name);
+  return names;
+}
+
 bool measure_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
+  const auto known = horizon_walk_names();
   for (const std::string& walk : o.walks)
-    if (!std::ranges::count(horizon_walks, walk))
+    if (!std::ranges::count(known, walk))
       throw std::invalid_argument(
-          fmt::format("--walk: unknown walk '{}'; known: {}", walk, fmt::join(horizon_walks, ", ")));
+          fmt::format("--walk: unknown walk '{}'; known: {}", walk, fmt::join(known, ", ")));
   for (const std::string& scalar : o.scalars)
     if (scalar != "float" && scalar != "double")
       throw std::invalid_argument(fmt::format("--scalar: unknown scalar '{}'; known: float, double", scalar));
@@ -348,10 +384,14 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
         std::ranges::none_of(subjects<float>(), [&](const auto* s) { return s->name == name; }))
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
-  HorizonState state(
-      o.state, {{"program", LIECHECK_VERSION}, {"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}},
-      o.progress);
-  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report);
+  Shared shared{{o.state,
+                 {{"horizons_of_liecheck", LIECHECK_VERSION},
+                  {"steps", o.steps},
+                  {"paths", o.paths},
+                  {"seed", o.seed}}},
+                o,
+                {}};
+  return measure_in<float>(shared, report) && measure_in<double>(shared, report);
 }
 
 }  // namespace liecheck::properties

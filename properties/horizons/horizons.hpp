@@ -10,12 +10,32 @@
 
 namespace liecheck::properties {
 
-/// The ways in which an attitude is moved.
-inline const std::vector<std::string> horizon_walks{"pure", "coning", "random",        "first_order",
-                                                    "full", "back",   "back_repeated", "scene"};
+/// What each step of a walk calls.
+enum class Step { integrate, first_order_normalize, normalize, compose, scene };
+
+/// A way in which an attitude is moved: docs/horizons.md.
+struct Walk {
+  const char* name;
+  Step step;
+  bool random = true;    ///< its paths differ
+  bool repeated = true;  ///< its increments come again
+  double norm = 0;       ///< what liecheck must keep [eps]; 0: not judged
+  double angle = 0;      ///< the same, over sqrt(n)
+};
+inline constexpr Walk horizon_walks[] = {
+    {"pure", Step::integrate, false, true, 4},
+    {"coning", Step::integrate, false, true, 4},
+    {"random", Step::integrate, true, true, 4, 2},
+    {"first_order", Step::first_order_normalize, true, true, 4},
+    {"full", Step::normalize, true, true, 4},
+    {"back", Step::compose, true, false, 0, 8},
+    {"back_repeated", Step::compose},
+    {"scene", Step::scene},
+};
+std::vector<std::string> horizon_walk_names();
 
 struct HorizonOptions {
-  std::vector<std::string> subjects{"liecheck"}, scalars{"float", "double"}, walks = horizon_walks;
+  std::vector<std::string> subjects{"liecheck"}, scalars{"float", "double"}, walks = horizon_walk_names();
   std::uint64_t steps = 1'000'000;  ///< of each path
   unsigned paths = 4;               ///< with other random numbers, for the mean of squares
   std::uint64_t seed = 42;
@@ -28,8 +48,8 @@ struct HorizonOptions {
 };
 
 /// Measures each walk of each subject, reports it, and writes the state now and then and at the end. A walk that is not
-/// offered is left out, and `scene` is left to scene_horizons.hpp. Returns false if stop_requested. Throws std::invalid_argument for an unknown name, or for a
-/// state of other options.
+/// offered is left out, and `scene` is left to scene_horizons.hpp. Returns false if stop_requested. Throws
+/// std::invalid_argument for an unknown name, or for a state of other options.
 bool measure_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
 
 }  // namespace liecheck::properties

@@ -108,7 +108,7 @@ TEST(Horizons, AStateThatDoesNotFitIsRefusedByItsName) {
   ASSERT_TRUE(run());
   const auto whole = nlohmann::json::parse(read_whole(o.state));
   const std::string path = "liecheck double random 0";
-  ASSERT_TRUE(whole.at("paths").contains(path));
+  ASSERT_TRUE(whole.at("parts").contains(path));
   const auto refusal = [&](const std::function<void(nlohmann::json&)>& change) -> std::string {
     nlohmann::json changed = whole;
     change(changed);
@@ -122,16 +122,16 @@ TEST(Horizons, AStateThatDoesNotFitIsRefusedByItsName) {
   };
   EXPECT_EQ(refusal([](auto&) {}), "");
   const std::string name = o.state + ": ", its = name + "'" + path + "': ";
-  EXPECT_EQ(refusal([](auto& j) { j["horizons"] = "x"; }).substr(0, name.size()), name);
-  EXPECT_EQ(refusal([](auto& j) { j.erase("paths"); }).substr(0, name.size()), name);
+  EXPECT_EQ(refusal([](auto& j) { j["options"] = "x"; }).substr(0, name.size()), name);
+  EXPECT_EQ(refusal([](auto& j) { j.erase("parts"); }).substr(0, name.size()), name);
   for (const char* member : {"n", "norm", "longest", "numbers", "truth", "errors"}) {
-    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path].erase(member); }).substr(0, its.size()), its) << member;
-    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path][member] = "x"; }).substr(0, its.size()), its) << member;
+    EXPECT_EQ(refusal([&](auto& j) { j["parts"][path].erase(member); }).substr(0, its.size()), its) << member;
+    EXPECT_EQ(refusal([&](auto& j) { j["parts"][path][member] = "x"; }).substr(0, its.size()), its) << member;
   }
   for (const double n : {-1.0, 1030.0, 3.7, 1e300, 0x1p62})
-    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path]["n"] = n; }).substr(0, its.size()), its) << n;
+    EXPECT_EQ(refusal([&](auto& j) { j["parts"][path]["n"] = n; }).substr(0, its.size()), its) << n;
   for (const std::uint64_t n : {64u, 1030u, 12800u})
-    EXPECT_EQ(refusal([&](auto& j) { j["paths"][path]["n"] = n; }).substr(0, its.size()), its) << n;
+    EXPECT_EQ(refusal([&](auto& j) { j["parts"][path]["n"] = n; }).substr(0, its.size()), its) << n;
   const FileLock other(o.state);
   EXPECT_NE(refusal([](auto&) {}).find("another program"), std::string::npos);
 }
