@@ -41,6 +41,9 @@ std::string sweep_section(const Merged& merged);
 /// Section "Whole operations: proved beside hunted".
 std::string bounds_section(const Merged& merged);
 
+/// Sections "Other environments", "Long horizons" and "Random rounding", each only if there is such a measurement.
+std::string measurement_sections(const Merged& merged);
+
 /// Films, charts of error against time, orders, drift, long spins, flips, other simulators, costs of effects.
 std::string scenes_section(const Merged& merged);
 

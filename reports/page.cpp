@@ -33,8 +33,7 @@ std::string cases_text(const Json& record) {
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
   const char *label = "INCOMPLETE",
-             *meaning =
-                 "The campaign was interrupted, or not all was measured that must be: see Not measured.";
+             *meaning = "A run was interrupted, or not all was measured that must be: see Not measured.";
   if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
   if (verdict_word == "fail")
     label = "FAIL", meaning = "At least one library is wrong; each has its own verdict below.";
@@ -261,6 +260,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"offenders", offenders_section(merged)},
       {"sweep", sweep_section(merged)},
       {"bounds", bounds_section(merged)},
+      {"measurements", measurement_sections(merged)},
       {"cost", cost_section(merged)},
       {"scenes", scenes_section(merged)},
       {"definitions", definitions_section(merged)},

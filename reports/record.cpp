@@ -13,12 +13,14 @@ namespace liecheck::reports {
 
 namespace {
 
+/// Refuses a seed below 0: types.json says why the schema does not.
+void check_seed(std::string_view file, const char* field, const Json& value) {
+  if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0)
+    refuse(file, field, "a seed, 0 to 2^64 - 1", value);
+}
+
 /// Refuses values that contradict other fields of the record, and seeds below 0.
 void check_relations(std::string_view file, const Json& record) {
-  const auto seed = [&](const char* field, const Json& value) {  // types.json says why the schema does not
-    if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0)
-      refuse(file, field, "a seed, 0 to 2^64 - 1", value);
-  };
   const auto at_most = [&](const std::string& field, const Json& row, const char* name, const char* limit) {
     if (row.contains(name) && row[name] > row[limit])
       refuse(file, field + "." + name, fmt::format("a count from 0 to {}", dumped(row[limit])), row[name]);
@@ -26,7 +28,7 @@ void check_relations(std::string_view file, const Json& record) {
   const auto each = [](const std::string& field, const Json& list, auto check) {
     for (std::size_t i = 0; i < list.size(); ++i) check(fmt::format("{}[{}]", field, i), list[i]);
   };
-  seed("seed", record["seed"]);
+  check_seed(file, "seed", record["seed"]);
   each("results", record["results"], [&](const std::string& field, const Json& row) {
     if (row["count"] == 0 && row["status"] != "empty")
       refuse(file, field + ".count", "a count from 1", row["count"]);
@@ -40,7 +42,7 @@ void check_relations(std::string_view file, const Json& record) {
       if (const std::string scalar = cell["scalar"]; !hard["input"].contains(scalar))
         throw std::runtime_error(fmt::format("{}: field {}.input.{} is missing", file, field, scalar));
   });
-  if (record.contains("cost")) seed("cost.seed", record["cost"]["seed"]);
+  if (record.contains("cost")) check_seed(file, "cost.seed", record["cost"]["seed"]);
   if (record.contains("sweep"))
     each("sweep.coefficients", record["sweep"]["coefficients"], [&](const std::string& field, const Json& c) {
       if (record["sweep"]["bound"] == "upper" && c["bound_eps"].is_null())
@@ -126,6 +128,14 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
     Json record;
     Reader reader(record, path, bytes);
     Json::sax_parse(std::string_view(bytes), &reader);
+    const auto kind = std::ranges::find_if(
+        measurement_kinds, [&](const char* name) { return record.is_object() && record.contains(name); });
+    if (kind != std::end(measurement_kinds)) {
+      check_schema(path, record, *kind);
+      check_seed(path, "seed", record["seed"]);
+      merged.measurements[*kind].push_back(std::move(record));
+      continue;
+    }
     check_record(path, record);
     for (Json& row : record["results"]) {
       refuse_twice(
@@ -139,6 +149,9 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
     record.erase("results");
     merged.records.push_back(std::move(record));
   }
+  if (merged.records.empty())
+    throw std::runtime_error(
+        fmt::format("{}: no record of a campaign: a report needs at least one", files.front().string()));
   return merged;
 }
 

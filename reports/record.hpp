@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -21,27 +22,32 @@ using properties::dumped, properties::parsed;
 /// The text of a file that embed.cmake compiles into the program: "page.html", "chart.min.js", "record.json".
 std::string_view embedded_file(std::string_view name);
 
-/// The whole schema, with every reference replaced by its target.
-const Json& schema();
+/// The kinds of measurement that have a record of their own; each has a member of this name, whose value is 1, and a schema
+/// in a file of this name.
+inline constexpr const char* measurement_kinds[] = {"environments", "horizons", "rounding"};
+
+/// The whole schema of a campaign's record or of a measurement of this kind, with every reference replaced by its target.
+const Json& schema(const std::string& kind = "record");
 
 /// Throws std::runtime_error with one line: the file, the field, and what was expected and found there.
 [[noreturn]] void refuse(std::string_view file, std::string_view field, std::string_view expected,
                          const Json& found);
 
 /// Refuses the first value of a record that does not satisfy the schema.
-void check_schema(std::string_view file, const Json& record);
+void check_schema(std::string_view file, const Json& record, const std::string& kind = "record");
 
-/// Several records. `records` has each record without its rows; `results` has the rows of all, in order.
+/// Several records. `records` has each record of a campaign without its rows; `results` has the rows of all, in order.
 struct Merged {
   std::vector<Json> records;
   std::vector<Json> results;
+  std::map<std::string, std::vector<Json>> measurements;  ///< by kind
 };
 
 /// Refuses a record that does not satisfy the schema, or whose fields contradict one another.
 void check_record(std::string_view file, const Json& record);
 
 /// Reads, checks and concatenates records. Throws std::runtime_error that names file, field and value. Also
-/// throws if two rows have equal subject, scalar, property, operation, block and band, or if a hard case
+/// throws if there is no record of a campaign, if two rows have equal subject, scalar, property, operation, block and band, or if a hard case
 /// occurs twice for the same law, subject and scalar.
 Merged merge_records(const std::vector<std::filesystem::path>& files);
 

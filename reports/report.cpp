@@ -50,6 +50,8 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
                          const std::filesystem::path& out_dir) {
   const Merged merged = merge_records(records);
   const Json numbers = {{"records", merged.records}, {"results", merged.results}};
+  Json whole = numbers;
+  for (const auto& [kind, all] : merged.measurements) whole[kind] = all;
   std::error_code error;
   std::filesystem::create_directories(out_dir, error);
   if (error)
@@ -62,7 +64,7 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
             fmt::format("{}: the report in {} would overwrite this record: choose another folder",
                         record.string(), out_dir.string()));
   const properties::Unfinished all_three;  // a signal between two files would leave those of two reports
-  properties::write_whole(files.json, dumped(numbers, 1) + '\n');
+  properties::write_whole(files.json, dumped(whole, 1) + '\n');
   properties::write_whole(files.csv, csv(merged));
   properties::write_whole(files.html, page(merged, numbers));
   return files;

@@ -58,6 +58,12 @@ class Rule {
   valijson::Validator validator_;
 };
 
+/// The rule of a node of a schema(). Rules are made once: to parse the schema takes longer than to check a small record.
+Rule& rule_of(const Json& node) {
+  thread_local std::map<const Json*, Rule> all;
+  return all.try_emplace(&node, node).first->second;
+}
+
 /// Says in words which values a node of the schema accepts.
 std::string expected(const Json& node) {
   if (node.contains("enum"))
@@ -72,13 +78,11 @@ std::string expected(const Json& node) {
 [[noreturn]] void refuse_part(std::string_view file, const std::string& field, const Json& node,
                               const Json& value) {
   const auto check = [file](const std::string& inner, const Json& rule, const Json& part) {
-    if (!Rule(rule).is_met_by(part)) refuse_part(file, inner, rule, part);
+    if (!rule_of(rule).is_met_by(part)) refuse_part(file, inner, rule, part);
   };
   if (value.is_array() && node.contains("items")) {
-    Rule rule(node["items"]);
     for (std::size_t i = 0; i < value.size(); ++i)
-      if (!rule.is_met_by(value[i]))
-        refuse_part(file, fmt::format("{}[{}]", field, i), node["items"], value[i]);
+      check(fmt::format("{}[{}]", field, i), node["items"], value[i]);
   }
   if (value.is_object()) {
     const std::string prefix = field.empty() ? "" : field + ".";
@@ -86,10 +90,9 @@ std::string expected(const Json& node) {
       if (!value.contains(name.get<std::string>()))
         throw std::runtime_error(
             fmt::format("{}: field {}{} is missing", file, prefix, name.get<std::string>()));
-    const Json properties = node.value("properties", Json::object());
     for (const auto& [name, part] : value.items())
-      if (properties.contains(name))
-        check(prefix + name, properties[name], part);
+      if (node.contains("properties") && node["properties"].contains(name))
+        check(prefix + name, node["properties"][name], part);
       else if (node.contains("additionalProperties"))
         check(prefix + name, node["additionalProperties"], part);
   }
@@ -98,9 +101,11 @@ std::string expected(const Json& node) {
 
 }  // namespace
 
-const Json& schema() {
-  static const Json whole = resolved("record.json", {{"$ref", "record.json"}});
-  return whole;
+const Json& schema(const std::string& kind) {
+  static std::map<std::string, Json> all;
+  const auto [whole, is_new] = all.try_emplace(kind);
+  if (is_new) whole->second = resolved(kind + ".json", {{"$ref", kind + ".json"}});
+  return whole->second;
 }
 
 void refuse(std::string_view file, std::string_view field, std::string_view expected, const Json& found) {
@@ -110,8 +115,8 @@ void refuse(std::string_view file, std::string_view field, std::string_view expe
                                        field.empty() ? "(top level)" : field, expected, text));
 }
 
-void check_schema(std::string_view file, const Json& record) {
-  if (!Rule(schema()).is_met_by(record)) refuse_part(file, "", schema(), record);
+void check_schema(std::string_view file, const Json& record, const std::string& kind) {
+  if (!rule_of(schema(kind)).is_met_by(record)) refuse_part(file, "", schema(kind), record);
 }
 
 }  // namespace liecheck::reports

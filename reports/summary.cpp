@@ -40,8 +40,10 @@ std::string word(const Standing& s) {
 
 std::string verdict(const Merged& merged) {
   const auto any = [&](const char* word) {
-    return std::any_of(merged.records.begin(), merged.records.end(),
-                       [&](const Json& r) { return r["verdict"] == word; });
+    const auto has = [&](const Json& r) { return r["verdict"] == word; };
+    return std::ranges::any_of(merged.records, has) ||
+           std::ranges::any_of(merged.measurements,
+                               [&](const auto& kind) { return std::ranges::any_of(kind.second, has); });
   };
   if (any("fail")) return "fail";
   const auto all = standings(merged);
@@ -75,10 +77,10 @@ std::vector<Standing> standings(const Merged& merged) {
     Standing& s = of(row["subject"], row["scalar"]);
     const std::string status = row["status"];
     ++(status == "pass" || status == "expected" ? s.passed
-       : status == "fail"      ? s.failed
-       : status == "empty"     ? s.empty
-       : status == "ill-posed" ? s.ill_posed
-                               : s.open);
+       : status == "fail"                       ? s.failed
+       : status == "empty"                      ? s.empty
+       : status == "ill-posed"                  ? s.ill_posed
+                                                : s.open);
     s.not_finite += row["not_finite"].get<std::uint64_t>();
     s.wrong_branch += row["wrong_branch"].get<std::uint64_t>();
     const bool was_judged = status == "pass" || status == "fail";

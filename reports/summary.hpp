@@ -31,7 +31,7 @@ std::string word(const Standing& standing);
 /// than any other row. Otherwise the row with the larger ratio of error to budget is worse.
 bool worse(const Json& a, const Json& b);
 
-/// "fail" if any record failed; otherwise "incomplete" if any record is incomplete, if there is no row, if a
+/// "fail" if any record or measurement failed; otherwise "incomplete" if any of them is incomplete, if there is no row, if a
 /// hard case has no verdict, or if a subject is incomplete or has none; otherwise "pass".
 std::string verdict(const Merged& merged);
 

@@ -7,6 +7,7 @@
 #include <horizons/scene_horizons.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <support/environment.hpp>
 #include <support/files.hpp>
 #include <support/json_number.hpp>
 #include <support/progress.hpp>
@@ -28,28 +29,31 @@ bool is_finite(const Horizon& h) {
                              [](auto& p) { return std::isfinite(p.norm) && std::isfinite(p.attitude); });
 }
 
-/// What a walk of liecheck must keep: docs/horizons.md. "" if it does.
-std::string broken(const Horizon& h) {
-  if (!is_finite(h)) return "not finite";
+struct Status {
+  std::string word, why;  ///< of the schema of horizons
+};
+
+/// What a walk of liecheck must keep: docs/horizons.md.
+Status status_of(const Horizon& h) {
+  const bool ours = h.subject == "liecheck";
+  if (!is_finite(h)) return {ours ? "fail" : "not judged", "not finite"};
+  if (!ours || (h.norm_limit == 0 && h.angle_limit == 0)) return {"not judged", ""};
   for (const HorizonPoint& p : h.points) {
-    if (h.norm_limit > 0 && p.norm > h.norm_limit) return fmt::format("norm beyond {} eps", h.norm_limit);
+    if (h.norm_limit > 0 && p.norm > h.norm_limit)
+      return {"fail", fmt::format("norm beyond {} eps", h.norm_limit)};
     if (h.angle_limit > 0 && p.attitude > h.angle_limit * std::sqrt(static_cast<double>(p.n)))
-      return fmt::format("more than {} sqrt(n) eps at {} calls", h.angle_limit, p.n);
+      return {"fail", fmt::format("more than {} sqrt(n) eps at {} calls", h.angle_limit, p.n)};
   }
-  return "";
+  return {"pass", ""};
 }
 
-nlohmann::json json_of(const Horizon& h, const std::string& why) {
+nlohmann::json json_of(const Horizon& h, const Status& status) {
   nlohmann::json points = nlohmann::json::array();
   for (const HorizonPoint& p : h.points)
     points.push_back({{"n", p.n}, {"norm_eps", number(p.norm)}, {"attitude_eps", number(p.attitude)}});
-  return {{"subject", h.subject},
-          {"scalar", h.scalar},
-          {"walk", h.walk},
-          {"exponent", number(h.exponent)},
-          {"interval", numbers(std::vector{h.low, h.high})},
-          {"broken", why},
-          {"points", points}};
+  return {{"subject", h.subject},           {"scalar", h.scalar},   {"walk", h.walk},
+          {"exponent", number(h.exponent)}, {"low", number(h.low)}, {"high", number(h.high)},
+          {"status", status.word},          {"why", status.why},    {"points", points}};
 }
 
 int run(const Flags& f) {
@@ -72,24 +76,22 @@ int run(const Flags& f) {
   fmt::print("{:<18} {:<7} {:<19}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
              "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
   const auto show = [&](const Horizon& h) {
-    const std::string why = h.subject == "liecheck" ? broken(h) : "";
+    const Status status = status_of(h);
     progress.reset();
-    failed = failed || !why.empty();
+    failed = failed || status.word == "fail";
     for (const HorizonPoint& p : h.points) {
       const bool last = &p == &h.points.back();
       if (!last && !f.all) continue;
-      fmt::print("{:<18} {:<7} {:<19}{:>12}{:>11.3g}{:>13.4g}{:>12.3g}{}{}\n", h.subject, h.scalar, h.walk,
-                 p.n, p.norm, p.attitude, p.attitude / std::sqrt(static_cast<double>(p.n)),
-                 last && std::isfinite(h.exponent)
-                     ? fmt::format("{:>9.2f}  {:.2f} .. {:.2f}", h.exponent, h.low, h.high)
-                     : "",
-                 !last           ? ""
-                 : !why.empty()  ? "  FAILED: " + why
-                 : !is_finite(h) ? "  not finite"
-                                 : "");
+      fmt::print(
+          "{:<18} {:<7} {:<19}{:>12}{:>11.3g}{:>13.4g}{:>12.3g}{}{}\n", h.subject, h.scalar, h.walk, p.n,
+          p.norm, p.attitude, p.attitude / std::sqrt(static_cast<double>(p.n)),
+          last && std::isfinite(h.exponent)
+              ? fmt::format("{:>9.2f}  {:.2f} .. {:.2f}", h.exponent, h.low, h.high)
+              : "",
+          !last || status.why.empty() ? "" : (status.word == "fail" ? "  FAILED: " : "  ") + status.why);
     }
     std::fflush(stdout);
-    rows.push_back(json_of(h, why));
+    rows.push_back(json_of(h, status));
   };
   const bool complete = measure_horizons(o, show) && measure_scene_horizons(o, show);
   for (const std::string& what : left_out) fmt::print("left out: {}\n", what);
@@ -99,6 +101,8 @@ int run(const Flags& f) {
   const int code = failed ? property_failed : !complete || rows.empty() ? incomplete : within_budget;
   if (!f.json.empty())
     write_record(f.json, {{"horizons", 1},
+                          {"version", LIECHECK_VERSION},
+                          {"environment", environment()},
                           {"verdict", failed                  ? "fail"
                                       : code == within_budget ? "pass"
                                                               : "incomplete"},

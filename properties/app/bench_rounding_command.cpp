@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <rounding/digits.hpp>
 #include <stdexcept>
+#include <support/environment.hpp>
+#include <support/json_number.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -38,15 +40,14 @@ std::string digits(double x) {
 }
 
 nlohmann::json json_of(const DigitsRow& r) {
-  nlohmann::json j{{"subject", r.subject},
-                   {"operation", r.operation},
-                   {"part", r.part},
-                   {"band", r.band},
-                   {"inputs", r.inputs},
-                   {"actual_digits", r.actual},
-                   {"estimated_digits", r.estimated}};
-  if (std::isfinite(r.without_exemption)) j["estimated_digits_without_exemption"] = r.without_exemption;
-  return j;
+  return {{"subject", r.subject},
+          {"operation", r.operation},
+          {"part", r.part},
+          {"band", r.band},
+          {"actual_digits", number(r.actual)},
+          {"estimated_digits", number(r.estimated)},
+          {"digits_all_at_random", number(r.without_exemption)},
+          {"deceives", r.deceives()}};
 }
 
 int run(const Flags& f) {
@@ -58,13 +59,13 @@ int run(const Flags& f) {
     throw std::invalid_argument("--where needs one --subject and one --operation");
   check_digits(options);
   stop_on_signals();
-  nlohmann::json rows = nlohmann::json::array();
+  nlohmann::json rows = nlohmann::json::array(), lines = rows;
   if (!f.where.empty()) {
     fmt::print("{:>7}  {:<44}  {}\n", "share", "line", "function");
     for (const RoundingLine& l : rounding_lines(options, f.where)) {
       if (l.share < 0.005 && !f.all) break;
       fmt::print("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place, short_name(l.function));
-      rows.push_back({{"share", l.share}, {"line", l.place}, {"function", l.function}});
+      lines.push_back({{"share", l.share}, {"line", l.place}, {"function", l.function}});
     }
   } else {
     fmt::print(
@@ -87,15 +88,24 @@ int run(const Flags& f) {
     fmt::print("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
                deceived, n);
   }
-  if (!f.json.empty())
-    write_record(f.json, {{"verdict", stop_requested ? "stopped"
-                                      : rows.empty() ? "incomplete"
-                                                     : "measured"},
-                          {"rows", rows}});
-  if (stop_requested) fmt::print(stderr, "interrupted: the table is not complete\n");
-  if (rows.empty() && !stop_requested)
+  const bool whole = !stop_requested && !(rows.empty() && lines.empty());
+  if (!f.json.empty()) {
+    nlohmann::json record{{"rounding", 1},
+                          {"version", LIECHECK_VERSION},
+                          {"environment", environment()},
+                          {"verdict", whole ? "measured" : "incomplete"},
+                          {"seed", f.seed},
+                          {"inputs", f.inputs},
+                          {"samples", f.samples},
+                          {"rows", rows}};
+    if (!f.where.empty()) record["lines"] = lines;
+    write_record(f.json, record);
+  }
+  if (stop_requested)
+    fmt::print(stderr, "interrupted: the table is not complete\n");
+  else if (!whole)
     fmt::print(stderr, "nothing was measured: the subjects do not offer these operations\n");
-  return stop_requested || rows.empty() ? incomplete : within_budget;
+  return whole ? within_budget : incomplete;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ using Table = std::map<std::pair<std::string, std::string>, Figures>;
 
 struct Flags {
   std::vector<std::string> subjects, only;
-  std::string folder, json;
+  std::string source, compile, link, folder, json;
   MeasureOptions options;
   bool all = false, no_hard_cases = false;
 };
@@ -87,7 +87,7 @@ class Run {
  public:
   explicit Run(const Flags& f) : flags_(f), environments_(chosen(f.only)) {
     if (std::ranges::any_of(environments_, [](const Environment& e) { return !e.mode; }) ||
-        !f.subjects.empty()) {
+        !f.subjects.empty() || !f.source.empty()) {
       try {
         sources_ = Sources::of_build_tree();
       } catch (const std::runtime_error& e) {
@@ -96,9 +96,14 @@ class Run {
     }
     folder_ = f.folder.empty() ? default_folder() : f.folder;
     if (!f.folder.empty()) check_folder(f.folder);
+    std::vector<std::string> names = without_repeats(f.subjects);
+    if (!f.source.empty())
+      names.push_back(add_source(f));
+    else if (!f.compile.empty() || !f.link.empty())
+      throw std::invalid_argument("--compile and --link need --source");
+    if (names.empty()) names = {"liecheck"};
     const auto linked = subject_names();
-    for (const std::string& name :
-         f.subjects.empty() ? std::vector<std::string>{"liecheck"} : without_repeats(f.subjects)) {
+    for (const std::string& name : names) {
       Tested t;
       t.name = name;
       t.profile = name == "liecheck" ? Profile::ours : Profile::careful;
@@ -139,6 +144,7 @@ class Run {
                    : fmt::format("in all {} environments x subjects, every check holds", measured_));
     if (!flags_.json.empty())
       write_record(flags_.json, {{"environments", 1},
+                                 {"version", LIECHECK_VERSION},
                                  {"verdict", result == within_budget     ? "pass"
                                              : result == property_failed ? "fail"
                                                                          : "incomplete"},
@@ -179,6 +185,17 @@ class Run {
       some.push_back(*at);
     }
     return some;
+  }
+  std::string add_source(const Flags& f) {
+    if (!no_sources_.empty()) throw std::invalid_argument("--source: " + no_sources_);
+    try {
+      const std::string name = std::filesystem::path(f.source).stem().string();
+      if (std::ranges::count(subject_names(), name))
+        throw std::invalid_argument(fmt::format("{}: a subject is named '{}' already", f.source, name));
+      return sources_.add(f.source, f.compile, f.link);
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(std::string("--source: ") + e.what());
+    }
   }
   [[noreturn]] void unknown(const std::string& name) const {
     if (!no_sources_.empty())
@@ -263,7 +280,12 @@ class Run {
   void report(const Tested& t, const Environment& e, const Measured& before,
               const std::optional<Measured>& now) {
     if (!now) return;
-    const Table table = compared(before, *now, e.promise);
+    Table table = compared(before, *now, e.promise);
+    const std::string other = "." + t.adapter_name + ".", own = "." + t.name + ".";
+    for (auto& [key, f] : table)  // the name by which `replay` knows the subject
+      if (const std::size_t at = f.worst.find(other);
+          t.linked && !t.adapter_name.empty() && at != f.worst.npos)
+        f.worst.replace(at, other.size(), own);
     const Figures sum = sum_of(table);
     const bool judged = e.promise != Promise::none;
     ++measured_, broken_ += judged && sum.worse > 0;
@@ -271,9 +293,7 @@ class Run {
     json operations = json::array();
     for (const auto& [key, f] : table) {
       if (flags_.all || f.worse > 0) print_row("", "", fmt::format("{} in {}", key.first, key.second), f);
-      json row = json_of(f);
-      row["operation"] = key.first, row["scalar"] = key.second;
-      operations.push_back(row);
+      operations.push_back({{"operation", key.first}, {"scalar", key.second}, {"figures", json_of(f)}});
     }
     std::fflush(stdout);
     rows_.push_back({{"subject", t.name},
@@ -314,6 +334,11 @@ Command environments_command(CLI::App& program) {
          "a subject, repeatable; default liecheck. One with an adapter in one source file is built anew; "
          "others are "
          "called in other modes only");
+  a.text("--source", a->source, "FILE",
+         "your own adapter in C or C++, one source file, under the name of the file");
+  a.text("--compile", a->compile, "FLAGS",
+         "flags of the compiler for --source, such as '-I/usr/include/mylib'");
+  a.text("--link", a->link, "FLAGS", "libraries for --source, such as '-lmylib'");
   a.list("--only", a->only, "NAME", "an environment, repeatable; default every one");
   a.number("--cases", a->options.cases, 1, 100'000, "cases of each law and scalar");
   a.toggle("--no-hard-cases", a->no_hard_cases, "leave out the hard cases");

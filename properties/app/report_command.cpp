@@ -150,8 +150,10 @@ Command report_command(CLI::App& program) {
                        "write the accuracy report of records, or of a campaign over every subject or the "
                        "chosen ones. Exit code 0 if it is "
                        "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
-  const Flag records = a.list("RECORD", a->records, "FILE",
-                              "stores, or records that campaign --json wrote; default: run a campaign first");
+  const Flag records =
+      a.list("RECORD", a->records, "FILE",
+             "stores, or records that campaign --json wrote, and beside them those of "
+             "environments, bench horizons and bench rounding; default: run a campaign first");
   a.list("--subject", a->selection.subjects, "NAME",
          "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default all, or the "
          "adapters")

@@ -5,10 +5,12 @@
 namespace liecheck::properties {
 
 Command scene_keys_command(CLI::App& scene) {
-  return Arguments(scene, "keys", "list the keys of bodies, roots, starts, effects, actuations, integrators and observers").command([] {
-    fmt::print("{}", sceneSchema());
-    return within_budget;
-  });
+  return Arguments(scene, "keys",
+                   "list the keys of bodies, roots, starts, effects, actuations, integrators and observers")
+      .command([] {
+        fmt::print("{}", sceneSchema());
+        return within_budget;
+      });
 }
 
 }  // namespace liecheck::properties

@@ -135,6 +135,11 @@ void make(const fs::path& product, const std::string& compiler, const std::strin
   write_whole(last, made_by);
 }
 
+/// The language, for a C++ compiler.
+std::string language_of(const std::string& source) {
+  return source.ends_with(".c") ? "-x c -std=gnu11" : "-std=gnu++20";
+}
+
 const Sources::Adapter& adapter_of(const Sources& sources, const std::string& subject) {
   return sources.adapters.at(subject);
 }
@@ -153,9 +158,21 @@ Sources Sources::of_build_tree() {
   Sources s;
   const nlohmann::json all = parsed(read_whole(file));
   s.process = all.at("process"), s.compiler = all.at("compiler"), s.flags = all.at("flags");
+  s.include = all.at("include");
   for (const auto& a : all.at("adapters"))
     s.adapters[a.at("name")] = {a.at("source"), a.at("flags"), a.at("libraries")};
   return s;
+}
+
+std::string Sources::add(const std::string& file, const std::string& own_flags,
+                         const std::string& own_libraries) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) throw std::invalid_argument(fmt::format("{}: is no file", file));
+  const std::string name = fs::path(file).stem().string();
+  if (!adapters.try_emplace(name, fs::absolute(file).string(), include + " " + own_flags, own_libraries)
+           .second)
+    throw std::invalid_argument(fmt::format("{}: a subject is named '{}' already", file, name));
+  return name;
 }
 
 std::string built(const Sources& sources, const std::string& subject, const Environment& e,
@@ -166,13 +183,14 @@ std::string built(const Sources& sources, const std::string& subject, const Envi
   const std::string stem = (product.parent_path() / product.stem()).string();
   // A compiler for another machine needs the headers of libraries, but its own ones first.
   const std::string headers = e.run.empty() ? "" : " -idirafter /usr/include";
-  const std::string compile =
-      fmt::format("{} -std=gnu++20 -DNDEBUG {} {}{}", e.compiler, e.flags, a.flags, headers);
+  const std::string flags = fmt::format("-DNDEBUG {} {}{}", a.flags, e.flags, headers);
   std::string commands = e.prepare.empty() ? "" : "( " + e.prepare + " ) && ";
   commands += fmt::format(
-      "{0} -MD -MF {1}.d -MT {1} -c {2} -o {1}.adapter.o && {0} -MD -MF {1}.process.d -MT {1} -c {3} -o "
-      "{1}.process.o && ",
-      compile, shell_quoted(stem), shell_quoted(a.source), shell_quoted(sources.process));
+      "{0} {4} {5} -MD -MF {1}.d -MT {1} -c {2} -o {1}.adapter.o && {0} {6} {5} -MD -MF {1}.process.d -MT "
+      "{1} -c "
+      "{3} -o {1}.process.o && ",
+      e.compiler, shell_quoted(stem), shell_quoted(a.source), shell_quoted(sources.process),
+      language_of(a.source), flags, language_of(sources.process));
   commands +=
       fmt::format("{} {} {}.adapter.o {}.process.o {} {} -o {}", e.compiler, e.flags, shell_quoted(stem),
                   shell_quoted(stem), e.link, a.libraries, shell_quoted(product.string()));
@@ -191,9 +209,9 @@ std::string built_for_program(const Sources& sources, const std::string& subject
   const fs::path product = fs::absolute(fs::path(folder) / (subject + "-program.so"));
   const std::string stem = (product.parent_path() / product.stem()).string();
   make(product, sources.compiler,
-       fmt::format("{} -std=gnu++20 -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} {} -o {}", sources.compiler,
-                   sources.flags, a.flags, shell_quoted(stem), shell_quoted(a.source), a.libraries,
-                   shell_quoted(product.string())),
+       fmt::format("{} {} -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} -x none {} -o {}", sources.compiler,
+                   language_of(a.source), sources.flags, a.flags, shell_quoted(stem), shell_quoted(a.source),
+                   a.libraries, shell_quoted(product.string())),
        {".d"});
   return "in-process:" + product.string();
 }

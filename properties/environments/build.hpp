@@ -17,8 +17,13 @@ struct Sources {
   std::string process;                      ///< a program of the process protocol, compiled with the adapter
   std::string compiler, flags;              ///< of the program itself
 
+  std::string include;                      ///< flags to find the interface of adapters
+
   /// Beside the program in its build tree. Throws std::runtime_error if it is not there.
   static Sources of_build_tree();
+  /// Adds an adapter in C or C++ with the name of its file without the ending, which it returns. Throws
+  /// std::invalid_argument if the file is not there or the name is taken.
+  std::string add(const std::string& file, const std::string& own_flags, const std::string& own_libraries);
 };
 
 /// The compiler failed, in the words of its first error.

@@ -54,6 +54,17 @@ std::vector<std::string> texts(const fs::path& folder, const std::string& ending
   return all;
 }
 
+/// The lines of the texts, but the longest ones: a reader of lines is faster with one at a time.
+std::vector<std::string> lines(const std::vector<std::string>& texts, std::size_t longest) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) {
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+      if (line.size() < longest) all.push_back(line + "\n");
+  }
+  return all;
+}
+
 /// Runs the program. Throws std::runtime_error with its output if it fails.
 void program(const std::string& arguments, const fs::path& folder) {
   const std::string log = (folder / "log").string();
@@ -151,7 +162,7 @@ const std::map<std::string, Maker>& makers() {
       {"hard_cases",
        [](const fs::path& fixtures, const fs::path&) {
          return Entrance{"",
-                         texts(fixtures / "hard_cases", ".txt", 200000),
+                         lines(texts(fixtures / "hard_cases", ".txt", 200000), 3000),
                          {" | ", "pi", "eps", "sqrt(", "min", "max", "+ ulp", "exp_oracle", "in double",
                           "in float", "0x1p-1074"},
                          [](const std::string& text) {

@@ -267,6 +267,37 @@ TEST_F(Program, NoRecordReplacesAnotherFileOfTheCommand) {
   EXPECT_EQ(run("export s.db").code, 0);
 }
 
+TEST_F(Program, AReportShowsWhatOtherCommandsMeasured) {
+  for (const std::string& command :
+       {quick + "--subject liecheck --json campaign.json",
+        std::string("environments --only up --cases 1 --no-hard-cases --json environments.json"),
+        std::string("bench horizons --steps 64 --paths 1 --json horizons.json"),
+        std::string("bench rounding --inputs 1 --samples 2 --operation exp3_matrix --json rounding.json"),
+        std::string("bench rounding --inputs 1 --samples 2 --subject textbook --operation exp3_matrix "
+                    "--where 'theta 1e-5..1e-3' --json where.json"),
+        std::string(
+            "report campaign.json environments.json horizons.json rounding.json where.json --out page")})
+    EXPECT_EQ(run(command).code, 0) << command << "\n" << read(dir / "err");
+  const std::string page = read(dir / "page/report.html");
+  for (const char* text :
+       {"accuracy report: pass", "<td>up</td>", "<td>back_repeated</td>", "random rounding deceives"})
+    EXPECT_NE(page.find(text), page.npos) << text;
+}
+
+TEST_F(Program, EnvironmentsRefuseASourceThatIsNotThere) {
+  store("eigen.c", ""), store("textbook.c", "");
+  const std::pair<const char*, const char*> all[] = {
+      {"--source nowhere.c", "--source: nowhere.c: is no file"},
+      {"--source eigen.c", "a subject is named 'eigen' already"},
+      {"--source textbook.c", "a subject is named 'textbook' already"},
+      {"--link -lm", "--compile and --link need --source"}};
+  for (const auto& [flags, words] : all) refused(std::string("environments ") + flags, words);
+  store("broken.c", "int f(void) { return unknown; }\n");
+  const Run r = run("environments --source broken.c --only gcc-O0 --dir builds");
+  EXPECT_EQ(r.code, 3) << r.err;
+  EXPECT_NE(r.out.find("not built: broken for this program: "), r.out.npos) << r.out;
+}
+
 TEST_F(Program, AHangUpSignalStillWritesTheRecord) {
   const Run r =
       shell("timeout -s HUP 2 $L campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json");

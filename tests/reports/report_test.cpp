@@ -254,6 +254,50 @@ TEST_F(Report, NamesTheFieldOfASweepThatItRefuses) {
   EXPECT_TRUE(has(refusal(dumped(r)), "coefficients[0].constant: expected a count from 0 to 1092479462"));
 }
 
+TEST_F(Report, ShowsTheMeasurementsOfOtherCommands) {
+  Json good = record();
+  good["results"] = Json::array({row("liecheck", "theta 1e-5..1e-4", 1)});
+  good["subjects"].erase(1);
+  const fs::path campaign = store("campaign.json", dumped(good));
+  const std::string without = read(write_report({campaign}, dir / "out").html);
+  EXPECT_TRUE(has(without, "accuracy report: pass"));
+  std::vector<fs::path> all{campaign};
+  for (const char* kind : measurement_kinds) {
+    EXPECT_FALSE(has(without, fmt::format("id=\"{}\"", kind)));
+    all.push_back(store(std::string(kind) + ".json", dumped(measurement(kind))));
+  }
+  const auto files = write_report(all, dir / "out");
+  const std::string page = read(files.html);
+  for (const char* text :
+       {"id=\"environments\"", "id=\"horizons\"", "id=\"rounding\"", "accuracy report: fail",
+        // environments: a row, a matrix, what is absent and what is not built
+        "<th scope=\"row\">&lt;mine&gt;</th><td>wasm</td><td><span class=\"status "
+        "fail\">fail</span></td><td>130</td>"
+        "<td>98 %</td><td>93 %</td><td>2</td><td>Inf</td><td>1.0</td>",
+        "<th scope=\"row\">exp6 double</th><td><b class=\"status fail\">2 worse</b></td>",
+        "<th scope=\"row\">log6 float</th><td>=</td>", "<th scope=\"row\">exp6 double</th><td>1.1</td>",
+        "riscv64: not installed: qemu-riscv64 is not there", "&lt;mine&gt; in aarch64: not built: error: no",
+        "<td>1e+06</td><td>1.2</td><td>200</td><td>0.2</td><td>0.51 (0.46 … 0.56)</td>",
+        "fail</span>: norm beyond 4 eps</td><td>64</td><td>NaN</td><td>Inf</td><td>Inf</td><td>—</td>",
+        "random rounding deceives in 1 of 2 parts", "<td>7.1</td><td>15.7</td><td>—</td>"})
+    EXPECT_TRUE(has(page, text)) << text;
+  const Json json = parsed(read(files.json));
+  for (const char* kind : measurement_kinds) EXPECT_EQ(json[kind], Json::array({measurement(kind)}));
+}
+
+TEST_F(Report, RefusesMeasurementsWithoutACampaignOrWithAWrongField) {
+  EXPECT_TRUE(has(refusal(dumped(measurement("horizons"))), "no record of a campaign"));
+  Json wrong = measurement("horizons");
+  wrong["rows"][0]["points"][1]["n"] = -1;
+  EXPECT_TRUE(has(refusal(dumped(wrong)), "field rows[0].points[1].n: expected a count"));
+  wrong = measurement("rounding");
+  wrong["rounding"] = 2;
+  EXPECT_TRUE(has(refusal(dumped(wrong)), "field rounding: expected 1, found 2"));
+  wrong = measurement("environments");
+  wrong["seed"] = -1;
+  EXPECT_TRUE(has(refusal(dumped(wrong)), "field seed: expected a seed"));
+}
+
 TEST_F(Report, EscapesDataInThePage) {
   Json r = record();
   r["subjects"][0]["not_offered"] = {"</script><script>alert(1)</script>", "{{machine}}"};

@@ -214,4 +214,42 @@ Json full_record() {
   return all;
 }
 
+Json measurement(const std::string& kind) {
+  const Json figures = parsed(
+      R"json({"checks": 130, "calls": 100, "same_calls": 98, "same_verdicts": 121, "not_judged": 3, "worse": 0,
+ "not_finite": 0, "wrong_branch": 0, "refused": 0, "of_limit": 2.05, "digits_lost": 1.04, "block": "translation",
+ "worst": "g1.42.exp_oracle.liecheck.double.none.7"})json");
+  std::map<std::string, Json> all{
+      {"environments", parsed(R"json({"environments": 1, "verdict": "fail", "cases": 60,
+ "rows": [{"subject": "liecheck", "environment": "up", "what": "every call rounds up",
+   "expected": "four times the limits", "operations": [{"operation": "exp6", "scalar": "double"}]},
+  {"subject": "<mine>", "environment": "wasm", "what": "by node", "expected": "same",
+   "operations": [{"operation": "exp6", "scalar": "double"}, {"operation": "log6", "scalar": "float"}]}],
+ "absent": [{"environment": "riscv64", "what": "by qemu", "why": "qemu-riscv64 is not there"}],
+ "not_built": [{"subject": "<mine>", "environment": "aarch64", "why": "error: no"}]})json")},
+      {"horizons", parsed(R"json({"horizons": 1, "verdict": "pass", "steps": 1000000, "paths": 2,
+ "rows": [{"subject": "liecheck", "scalar": "float", "walk": "random", "exponent": 0.51, "low": 0.46,
+   "high": 0.56, "status": "pass", "why": "", "points": [{"n": 64, "norm_eps": 1, "attitude_eps": 3},
+    {"n": 1000000, "norm_eps": 1.2, "attitude_eps": 200}]},
+  {"subject": "mine", "scalar": "float", "walk": "pure", "exponent": "nan", "low": "nan", "high": "nan",
+   "status": "fail", "why": "norm beyond 4 eps", "points": [{"n": 64, "norm_eps": "nan", "attitude_eps": "inf"}]}]})json")},
+      {"rounding", parsed(R"json({"rounding": 1, "verdict": "measured", "inputs": 64, "samples": 16,
+ "rows": [{"subject": "mine", "operation": "exp6", "part": "translation", "band": "theta 1e-5..1e-3",
+   "actual_digits": 7.13, "estimated_digits": 15.68, "digits_all_at_random": "nan", "deceives": true},
+  {"subject": "mine", "operation": "exp6", "part": "rotation", "band": "theta 1e-5..1e-3", "actual_digits": 15.9,
+   "estimated_digits": 15.8, "digits_all_at_random": 15.7, "deceives": false}],
+ "lines": [{"share": 0.5, "line": "a.hpp:3", "function": "f"}]})json")}};
+  for (Json& row : all["environments"]["rows"]) {
+    row["sum"] = figures;
+    for (Json& o : row["operations"]) o["figures"] = figures;
+  }
+  Json& last = all["environments"]["rows"][1];
+  last["sum"].update({{"worse", 2}, {"of_limit", "inf"}});
+  last["operations"][0]["figures"].update({{"worse", 2}, {"of_limit", "inf"}});
+  last["operations"][1]["figures"]["same_calls"] = 100;
+  Json one = all.at(kind);
+  one.update({{"version", "0.1.0"}, {"seed", 42}, {"environment", record()["environment"]}});
+  return one;
+}
+
 }  // namespace liecheck::reports

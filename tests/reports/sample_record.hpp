@@ -15,6 +15,9 @@ Json record();
 /// A record with every field that the schema documents.
 Json full_record();
 
+/// A measurement of a kind of measurement_kinds with every field that its schema documents.
+Json measurement(const std::string& kind);
+
 // Sections of a record, and rows of them.
 Json swept();
 Json hard_case(const std::string& subject, const std::string& verdict);
