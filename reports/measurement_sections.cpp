@@ -49,9 +49,10 @@ std::string matrix(const Json& record, const std::string& subject) {
     Cells& row = rows.emplace_back(Cells{name});
     for (auto& column : columns) row.push_back(column.contains(name) ? column[name] : "—");
   }
-  return table(
-      fmt::format("{} by operation: “=” for the same bits, or the most digits that a check loses", subject),
-      heads, rows, true);
+  return table(fmt::format("{} by operation. “=”: the same bits in all generated cases; a number: the most "
+                           "digits that a check loses (0.0: other bits, but no loss); —: not measured",
+                           subject),
+               heads, rows, true);
 }
 
 std::string of_environments(const Json& record) {
@@ -65,8 +66,8 @@ std::string of_environments(const Json& record) {
                     dumped(f["worse"]), eps_text(figure(f["of_limit"])),
                     fmt::format("{:.1f}", figure(f["digits_lost"])), text_of(row, "what")});
   }
-  std::string out = table(fmt::format("Seed {}, {} cases of each law and scalar, and hard cases",
-                                      dumped(record["seed"]), dumped(record["cases"])),
+  std::string out = table(fmt::format("Seed {}, {} cases of each law and scalar", dumped(record["seed"]),
+                                      dumped(record["cases"])),
                           {"subject", "environment", "status", "checks", "same bits", "same verdicts",
                            "worse", "largest error / limit", "digits lost", "what"},
                           rows, true);
@@ -140,23 +141,19 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"environments", "Other environments",
      "The same inputs on a subject that is called in other rounding modes, or built with other compilers, "
-     "flags and C "
-     "libraries or for other processors, beside its build in this program. A check is worse if it passes "
-     "here and "
-     "breaks there what is expected. Largest errors are lower bounds; their cases are in "
-     "<a href=\"report.json\">report.json</a>.",
+     "flags and C libraries or for other processors, beside the program's own build. A check is worse if it "
+     "passes in the program's own build but does not meet what is expected of the environment. Largest "
+     "errors are lower bounds; their cases are in <a href=\"report.json\">report.json</a>.",
      of_environments},
     {"horizons", "Long horizons",
-     "What is left of an attitude after many calls: the largest defect of the norm, and the root mean square "
-     "over the "
-     "paths of the angle to the exact attitude. Independent rounding errors grow with √n.",
+     "The error of the attitude after many calls: the largest defect of the norm, and the root mean square "
+     "over the paths of the angle to the exact attitude. A sum of n independent rounding errors grows with "
+     "√n.",
      of_horizons},
     {"rounding", "Random rounding",
-     "Each operation rounds up or down by chance, and the spread of the results estimates their digits. It "
-     "deceives "
-     "where it promises more than one digit that the result does not have, as with a series that is cut off "
-     "too early. "
-     "All rows are in <a href=\"report.json\">report.json</a>.",
+     "Each inexact arithmetic operation rounds up or down by chance, and the spread of the results estimates "
+     "their digits. It deceives where it promises more than one digit that the result does not have, as with "
+     "a series that is cut off too early. All rows are in <a href=\"report.json\">report.json</a>.",
      of_rounding}};
 
 }  // namespace

@@ -119,7 +119,7 @@ Command bench_horizons_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "horizons",
       "long horizons: the drift of norm and attitude over many calls of integrate, of products with a "
-      "normalisation, and of compose there and back, and the laws by which they grow. Exit code 0 if "
+      "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
       "liecheck keeps what docs/horizons.md says; 1 if not; 2 for bad input; 3 if stopped");
   a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
   a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");

@@ -113,7 +113,8 @@ int run(const Flags& f) {
 Command bench_rounding_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "rounding",
-      "estimate digits by random rounding: every operation of a subject rounds up or down by chance, and "
+      "estimate digits by random rounding: every arithmetic operation of a subject that is not exact rounds "
+      "up or down by chance, and "
       "the spread of the results shows how many digits are right; print the oracle's beside them. Exit code "
       "0; "
       "2 for bad input; 3 if stopped, or if nothing was measured");
@@ -127,10 +128,10 @@ Command bench_rounding_command(CLI::App& bench) {
   a.number("--inputs", a->inputs, 1, 1'000'000, "inputs of each band");
   a.number("--samples", a->samples, 2, 10'000, "runs with random rounding for each input");
   a.seed(a->seed, "seed of the inputs and of the rounding");
-  a.text(
-      "--where", a->where, "BAND",
-      "show instead which lines of the source move the result most by their roundings, in this band, which "
-      "has its name from the table");
+  a.text("--where", a->where, "BAND",
+         "show instead the lines of the source whose roundings change the result most, in the band of this "
+         "name; needs one "
+         "--subject and one --operation");
   a.toggle("--all", a->all,
            "show every line of the source, not only those with at least half a percent of the spread");
   a.json(a->json, "write the rows to FILE");

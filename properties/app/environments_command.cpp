@@ -327,8 +327,8 @@ Command environments_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "environments",
       "the laws and the hard cases on a subject that is called in other rounding modes or built with "
-      "other compilers, flags and C libraries, and for other processors. Exit code 0 if it is there "
-      "what it is in this program; 1 if not; 2 for bad input; 3 if stopped, not "
+      "other compilers, flags and C libraries, and for other processors. Exit code 0 if no check is "
+      "worse than expected in an environment that is judged; 1 if one is; 2 for bad input; 3 if stopped, not "
       "built, or absent and named by --only");
   a.list("--subject", a->subjects, "NAME",
          "a subject, repeatable; default liecheck. One with an adapter in one source file is built anew; "

@@ -121,7 +121,9 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   };
   const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
   add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
-  add(group(program, "bench", "measure the harness itself: bugs that it finds, limits that it needs, speed"),
+  add(group(program, "bench",
+            "measure the harness (bugs that it finds, limits that it needs, speed), and liecheck by long "
+            "runs, proofs and random rounding"),
       {bench_batches_command, bench_bounds_command, bench_bugs_command, bench_history_command,
        bench_horizons_command, bench_lattice_command, bench_limits_command, bench_rounding_command,
        bench_speed_command, bench_wire_command});

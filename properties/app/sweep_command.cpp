@@ -155,15 +155,18 @@ Command sweep_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "sweep",
       "compute an upper bound of the error of each scalar coefficient over every float, or the "
-      "largest error of whole operations at every float angle about an axis. Exit code 0 if the "
-      "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
+      "largest error of whole operations at every float angle in [0, pi] about an axis, for one random rho. "
+      "Exit code 0 if the "
+      "documented bounds of the coefficients, or the limits of the operations, hold; 1 if one does not; 2 "
+      "for bad input; 3 if stopped");
   const Flag coefficients =
       a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
   a.list("--operation", a->operations, "OP",
          "a whole operation instead of a coefficient, repeatable, or 'all'")
       .excludes(coefficients);
   a.list("--axis", a->axes, "X,Y,Z",
-         "an axis for --operation, repeatable; default x, and the worst of 500 random axes");
+         "an axis for --operation, repeatable; default x, and the one of 500 random axes with the largest "
+         "error");
   a.number("--stride", a->stride, 1, 1u << 30,
            "evaluate only every Nth float, which is faster but gives a lower bound");
   a.jobs(a->jobs);

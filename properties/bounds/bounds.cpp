@@ -160,7 +160,7 @@ double log3_quaternion_bound(const Box& b) {
 
 const std::vector<Proof>& proofs() {
   static const std::string rotations = "every phi with theta <= pi, and 0",
-                           twists = rotations + "; 1e-270 <= |rho| <= 1e270 in each number",
+                           twists = rotations + "; each number of rho 0 or 1e-270 .. 1e270 in magnitude",
                            quaternions = "every quaternion with | |Q| - 1 | <= 8 eps and 1e-270 <= |v|";
   static const std::vector<Proof> all = {
       {"exp3_quaternion", "rotation", rotations, false, false, false, exp3_quaternion_bound},
