@@ -50,7 +50,7 @@ std::string matrix(const Json& record, const std::string& subject) {
     for (auto& column : columns) row.push_back(column.contains(name) ? column[name] : "—");
   }
   return table(fmt::format("{} by operation. “=”: the same bits in all generated cases; a number: the most "
-                           "digits that a check loses (0.0: other bits, but no loss); —: not measured",
+                           "digits that a check loses; —: not measured",
                            subject),
                heads, rows, true);
 }
@@ -72,7 +72,12 @@ std::string of_environments(const Json& record) {
                            "worse", "largest error / limit", "digits lost", "what"},
                           rows, true);
   for (const std::string& subject : subjects) out += matrix(record, subject);
-  for (const auto& [list, what] : {std::pair("absent", "not installed"), {"not_built", "not built"}})
+  for (const Json& own : record["own"])
+    if (own["right"] < own["checks"])
+      out += fmt::format(
+          "<p>{}: {} of {} checks pass in the program's own build; only these can become worse.</p>\n",
+          text_of(own, "subject"), dumped(own["right"]), dumped(own["checks"]));
+  for (const auto& [list, what] : {std::pair("absent", "not installed"), {"not_built", "not measured"}})
     for (const Json& row : record[list])
       out += fmt::format("<p>{}{}: {}: {}</p>\n",
                          row.contains("subject") ? text_of(row, "subject") + " in " : "",
@@ -112,6 +117,13 @@ std::string of_rounding(const Json& record) {
   std::vector<std::string> subjects;
   for (const Json& row : record["rows"]) add_once(subjects, row["subject"].get<std::string>());
   std::string out;
+  std::vector<Cells> lines;
+  for (const Json& line : list_in(record, "lines"))
+    lines.push_back({text_of(line, "line"), fmt::format("{:.1f} %", 100 * line["share"].get<double>()),
+                     code(line["function"])});
+  if (!lines.empty())
+    out +=
+        table("Lines of the source by their share of the spread", {"line", "share", "function"}, lines, true);
   for (const std::string& subject : subjects) {
     std::size_t n = 0;
     std::vector<Cells> rows;
@@ -164,9 +176,12 @@ std::string measurement_sections(const Merged& merged) {
     const auto all = merged.measurements.find(kind.name);
     if (all == merged.measurements.end()) continue;
     out += fmt::format(
-        "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<details><summary><h2 id=\"{0}-title\">{1}</h2>"
+        "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<details{3}><summary><h2 "
+        "id=\"{0}-title\">{1}</h2>"
         "</summary>\n<p class=\"note\">{2}</p>\n",
-        kind.name, kind.title, kind.note);
+        kind.name, kind.title, kind.note,
+        std::ranges::any_of(all->second, [](const Json& r) { return r["verdict"] == "fail"; }) ? " open"
+                                                                                               : "");
     for (const Json& record : all->second) {
       if (record["verdict"] == "incomplete") out += "<p><b>This measurement is incomplete.</b></p>\n";
       out += kind.of(record);

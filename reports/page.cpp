@@ -32,11 +32,16 @@ std::string cases_text(const Json& record) {
 
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
-  const char *label = "INCOMPLETE",
-             *meaning = "A run was interrupted, or not all was measured that must be: see Not measured.";
+  const char *label = "INCOMPLETE", *meaning =
+                                        "A run was interrupted, or not all was measured that must be: see "
+                                        "Not measured, and the sections of what "
+                                        "was measured.";
   if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
   if (verdict_word == "fail")
-    label = "FAIL", meaning = "At least one library is wrong; each has its own verdict below.";
+    label = "FAIL",
+    meaning =
+        "At least one library is wrong, or worse in another environment or over a long horizon; each has its "
+        "own verdict below.";
   const auto all = standings(merged);
   std::string out = fmt::format(
       "<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<details class=\"campaign\">"

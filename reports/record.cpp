@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <reports/record.hpp>
@@ -58,6 +59,32 @@ void check_relations(std::string_view file, const Json& record) {
     });
 }
 
+/// Refuses a measurement whose figures or verdict contradict one another, and rows that were read before.
+void check_measurement(std::string_view file, const std::string& kind, const Json& record,
+                       const std::function<void(const std::vector<std::string>&)>& once) {
+  check_seed(file, "seed", record["seed"]);
+  bool failed = false;
+  for (std::size_t i = 0; i < record["rows"].size(); ++i) {
+    const Json& row = record["rows"][i];
+    const std::string field = fmt::format("rows[{}]", i);
+    std::vector<std::string> key{kind};
+    for (const char* name : {"subject", "environment", "scalar", "walk", "operation", "part", "band"})
+      if (row.contains(name)) key.push_back(row[name]);
+    once(key);
+    failed = failed || row.value("status", "") == "fail";
+    if (kind != "environments") continue;
+    const Json& sum = row["sum"];
+    failed = failed || (row["expected"] != "none" && sum["worse"] > 0);
+    for (const auto& [part, whole] :
+         {std::pair("same_calls", "calls"), {"same_verdicts", "checks"}, {"worse", "checks"}})
+      if (sum[part] > sum[whole])
+        refuse(file, fmt::format("{}.sum.{}", field, part),
+               fmt::format("a count from 0 to {}", dumped(sum[whole])), sum[part]);
+  }
+  if (failed && record["verdict"] != "fail")
+    refuse(file, "verdict", "fail, as a row failed", record["verdict"]);
+}
+
 /// "line 3, column 14" of the byte at index `at`; both count from 1, columns in bytes.
 std::string line_and_column(std::string_view bytes, std::size_t at) {
   const std::string_view before = bytes.substr(0, at);
@@ -71,6 +98,16 @@ class Reader final : public nlohmann::detail::json_sax_dom_parser<Json> {
  public:
   Reader(Json& value, const std::string& file, std::string_view bytes)
       : json_sax_dom_parser(value), file_(file), bytes_(bytes) {}
+  bool start_object(std::size_t elements) {
+    deeper();
+    return json_sax_dom_parser::start_object(elements);
+  }
+  bool end_object() { return --depth_, json_sax_dom_parser::end_object(); }
+  bool start_array(std::size_t elements) {
+    deeper();
+    return json_sax_dom_parser::start_array(elements);
+  }
+  bool end_array() { return --depth_, json_sax_dom_parser::end_array(); }
   bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& e) {
     constexpr int out_of_range = 406;  // a number beyond the range of double
     if (e.id == out_of_range)
@@ -85,8 +122,14 @@ class Reader final : public nlohmann::detail::json_sax_dom_parser<Json> {
   }
 
  private:
+  void deeper() {
+    if (++depth_ > properties::deepest_json)
+      throw std::runtime_error(
+          fmt::format("{}: nested more deeply than {} levels", file_, properties::deepest_json));
+  }
   const std::string& file_;
   std::string_view bytes_;
+  int depth_ = 0;
 };
 
 }  // namespace
@@ -132,7 +175,8 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
         measurement_kinds, [&](const char* name) { return record.is_object() && record.contains(name); });
     if (kind != std::end(measurement_kinds)) {
       check_schema(path, record, *kind);
-      check_seed(path, "seed", record["seed"]);
+      check_measurement(path, *kind, record,
+                        [&](const std::vector<std::string>& key) { refuse_twice("rows", "row ", key); });
       merged.measurements[*kind].push_back(std::move(record));
       continue;
     }

@@ -37,6 +37,8 @@ conventions::Statements stated(std::string_view text) {
 
 /// The shared library in a file, and its liecheck_get_adapter().
 std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) {
+  const FloatEnvironment
+      environment;  // with -ffast-math, the library makes its loader flush subnormal numbers
   void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
                               RTLD_NOW | RTLD_LOCAL);
   if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
@@ -72,9 +74,18 @@ class Library final : public Adapter {
     }
   }
   static std::unique_ptr<Library> loaded(const std::string& file, bool repeats) {
+    const FloatEnvironment environment;
     const auto [module, entry] = opened(file);
-    return std::make_unique<Library>(entry(), reinterpret_cast<Source>(dlsym(module, "liecheck_get_source")),
-                                     file, repeats);
+    const auto source = reinterpret_cast<Source>(dlsym(module, "liecheck_get_source"));
+    try {
+      return std::make_unique<Library>(entry(), source, file, repeats);
+    } catch (const AdapterFailed&) {
+      throw;
+    } catch (const std::exception& e) {
+      throw AdapterFailed(fmt::format("{} throws an exception when it is loaded: {}", file, e.what()));
+    } catch (...) {
+      throw AdapterFailed(fmt::format("{} throws an exception when it is loaded", file));
+    }
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {

@@ -86,9 +86,9 @@ int run(const Flags& f) {
   if (!open.empty()) {
     o.operations = open;
     run_bounds(o, [&](const ProvedBound& b) {
+      show(b);
       if (b.boxes >= o.boxes && std::isfinite(b.bound))
         state.put(b.operation, {{"bound", b.bound}, {"boxes", b.boxes}, {"worst", b.worst}});
-      show(b);
     });
   }
   // Without a finite bound nothing is proved.

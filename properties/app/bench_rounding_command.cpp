@@ -104,7 +104,9 @@ int run(const Flags& f) {
   if (stop_requested)
     fmt::print(stderr, "interrupted: the table is not complete\n");
   else if (!whole)
-    fmt::print(stderr, "nothing was measured: the subjects do not offer these operations\n");
+    fmt::print(stderr,
+               "nothing was measured: the subjects do not offer these operations, or no rounding moves their "
+               "results in this band\n");
   return whole ? within_budget : incomplete;
 }
 

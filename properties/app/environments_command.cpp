@@ -134,14 +134,15 @@ class Run {
     for (const std::string& line : lines_) fmt::print("{}\n", line);
     const int code = stop_requested || !complete_ || rows_.empty() ? incomplete : within_budget;
     const int result = broken_ > 0 ? property_failed : code;
-    fmt::print("\n{}\n",
-               result == property_failed
-                   ? fmt::format("{} of {} environments x subjects break what is expected of them", broken_,
-                                 measured_)
-               : stop_requested ? "interrupted"
-               : result == incomplete
-                   ? "incomplete: something that was asked for is absent or not built"
-                   : fmt::format("in all {} environments x subjects, every check holds", measured_));
+    fmt::print(
+        "\n{}\n",
+        result == property_failed
+            ? fmt::format("{} of {} environments x subjects break what is expected of them", broken_,
+                          measured_)
+        : stop_requested ? "interrupted"
+        : result == incomplete
+            ? "incomplete: something that was asked for is absent or not built, or no check passes"
+            : fmt::format("in all {} environments x subjects, no check is worse than expected", measured_));
     if (!flags_.json.empty())
       write_record(flags_.json, {{"environments", 1},
                                  {"version", LIECHECK_VERSION},
@@ -151,6 +152,7 @@ class Run {
                                  {"environment", environment()},
                                  {"seed", flags_.options.seed},
                                  {"cases", flags_.options.cases},
+                                 {"own", own_},
                                  {"rows", rows_},
                                  {"absent", absent_},
                                  {"not_built", not_built_}});
@@ -212,30 +214,31 @@ class Run {
 
   void measure_all(Tested& t) {
     std::optional<Measured> before;
+    std::string own_library;
     try {
-      if (!t.linked) register_as(t, built_for_program(sources_, t.name, folder_));
+      if (!t.linked) {
+        own_library = built_for_program(sources_, t.name, folder_);
+        forgetting(t, own_build, [&] { register_as(t, own_library); });
+      }
       before = measured(t.linked ? t.linked_name : t.adapter_name, t, {}, "its own build");
     } catch (const std::exception& why) {
-      not_built(t, "this program", why.what());
+      if (!stop_requested) not_built(t, "this program", why.what());
     }
     if (!before) return;
+    const bool safe = report_own(t, *before);
     const std::string& own = t.linked ? t.linked_name : t.adapter_name;
-    const std::string in_process = t.linked ? "" : "in-process:" + folder_ + "/" + t.name + "-program.so";
     for (const Environment& e : environments_) {
       if (stop_requested) return;
       if (!missing(e).empty()) continue;
       try {
         if (e.mode) {
-          if (!t.linked) adapters::exchange_adapter(t.adapter_name, in_process);
+          // Modes are set in this process, which code that ends or hangs would take along.
+          if (!safe) throw std::runtime_error("it crashes or hangs in its own build");
+          if (!t.linked) adapters::exchange_adapter(t.adapter_name, "in-process:" + own_library);
           report(t, e, *before, measured(own, t, *e.mode, e.name));
         } else if (t.has_source) {
           const std::string command = built(sources_, t.name, e, folder_);
-          try {
-            register_as(t, command);
-          } catch (const std::exception&) {
-            forget(t.name, e, folder_);
-            throw;
-          }
+          forgetting(t, e.name, [&] { register_as(t, command); });
           report(t, e, *before, measured(t.adapter_name, t, {}, e.name));
         }
       } catch (const std::exception& why) {  // not built, or not started
@@ -253,11 +256,39 @@ class Run {
     }
   }
 
+  /// If `start` fails, the next call builds again.
+  template <class Start>
+  void forgetting(const Tested& t, const std::string& environment, const Start& start) {
+    try {
+      start();
+    } catch (const std::exception&) {
+      forget(t.name, environment, folder_);
+      throw;
+    }
+  }
+
+  /// Says how many checks the subject's own build fails: they cannot become worse. Returns whether no call crashed.
+  bool report_own(const Tested& t, const Measured& own) {
+    std::uint64_t checks = 0, right = 0, crashed = 0;
+    for (const Measured::Law& law : own.laws)
+      for (const Case& c : law.cases)
+        for (const Verdict& v : c.verdicts)
+          ++checks, right += v.right(), crashed += v.outcome == Outcome::crashed;
+    own_.push_back({{"subject", t.name}, {"checks", checks}, {"right", right}});
+    if (right < checks)
+      lines_.push_back(fmt::format(
+          "{}: {} of {} checks fail or have no verdict in its own build; they are not counted as worse",
+          t.name, checks - right, checks));
+    if (right == 0) complete_ = false;
+    return crashed == 0;
+  }
+
   void not_built(const Tested& t, const std::string& environment, std::string why) {
     complete_ = false;
+    why = printable(why);
     if (const std::string flag = "--adapter: "; why.starts_with(flag))
       why.erase(0, flag.size());  // a flag that the user did not give
-    lines_.push_back(fmt::format("not built: {} for {}: {}", t.name, environment, why));
+    lines_.push_back(fmt::format("not measured: {} in {}: {}", t.name, environment, why));
     not_built_.push_back({{"subject", t.name}, {"environment", environment}, {"why", why}});
   }
 
@@ -310,7 +341,7 @@ class Run {
   std::string no_sources_, folder_;
   std::vector<Tested> subjects_;
   std::vector<std::string> lines_;
-  json rows_ = json::array(), absent_ = json::array(), not_built_ = json::array();
+  json own_ = json::array(), rows_ = json::array(), absent_ = json::array(), not_built_ = json::array();
   bool complete_ = true;
   int measured_ = 0, broken_ = 0;
 };
@@ -337,8 +368,8 @@ Command environments_command(CLI::App& program) {
   a.text("--source", a->source, "FILE",
          "your own adapter in C or C++, one source file, under the name of the file");
   a.text("--compile", a->compile, "FLAGS",
-         "flags of the compiler for --source, such as '-I/usr/include/mylib'");
-  a.text("--link", a->link, "FLAGS", "libraries for --source, such as '-lmylib'");
+         "flags of the compiler for --source, as words of a shell, such as '-I/usr/include/mylib'");
+  a.text("--link", a->link, "FLAGS", "libraries for --source, as words of a shell, such as '-lmylib'");
   a.list("--only", a->only, "NAME", "an environment, repeatable; default every one");
   a.number("--cases", a->options.cases, 1, 100'000, "cases of each law and scalar");
   a.toggle("--no-hard-cases", a->no_hard_cases, "leave out the hard cases");

@@ -6,6 +6,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -23,11 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a shell command in a folder, in a process group of its own. Returns its output, at most a megabyte of it, and
-/// whether it succeeded. At stop_requested, or after the time, the group is killed.
-std::pair<std::string, bool> ran(const std::string& folder, const std::string& command) {
+/// Runs a shell command in a process group of its own. Returns its output, at most a megabyte of it, and whether it
+/// succeeded. At stop_requested, or after the time, the group is killed.
+std::pair<std::string, bool> ran(const std::string& command) {
   constexpr auto longest = std::chrono::minutes(15);
-  const std::string line = fmt::format("cd {} && {{ {} ; }} 2>&1", shell_quoted(folder), command);
+  const std::string line = "exec 2>&1\n" + command;  // the shell's own errors, too
   std::array<int, 2> out{};
   if (::pipe2(out.data(), O_CLOEXEC) != 0) return {"error: no process can be started", false};
   const pid_t pid = ::fork();
@@ -116,22 +117,20 @@ bool is_current(const fs::path& product, const std::vector<fs::path>& lists) {
   return true;
 }
 
-/// Runs the commands if one of them is another one than the last time, or a source is newer than `product`. `lists` are
-/// the endings of the compiler's lists of the sources.
-void make(const fs::path& product, const std::string& compiler, const std::string& commands,
-          const std::vector<std::string>& lists) {
-  const std::string stem = (product.parent_path() / product.stem()).string();
+/// Runs the commands if `always`, if one of them is another one than the last time, or if a source is newer than
+/// `product`. The names of all files begin with `stem`; `lists` are the endings of the compiler's lists of the sources.
+void make(const std::string& stem, const fs::path& product, const std::string& compiler,
+          const std::string& commands, const std::vector<std::string>& lists, bool always) {
   const fs::path last = stem + ".command";
   std::vector<fs::path> files;
   for (const std::string& ending : lists) files.emplace_back(stem + ending);
   std::error_code error;
   // Another version of the compiler builds another product.
-  const std::string made_by =
-      commands + "\n" + ran(product.parent_path().string(), compiler + " --version").first;
-  if (fs::exists(last, error) && read_whole(last) == made_by && is_current(product, files)) return;
-  fs::remove(last, error);
-  const auto [output, good] = ran(product.parent_path().string(), commands);
-  if (!good) throw NotBuilt(short_line(printable(first_error(output))));
+  const std::string made_by = commands + "\n" + ran(compiler + " --version").first;
+  if (!always && fs::exists(last, error) && read_whole(last) == made_by && is_current(product, files)) return;
+  fs::remove(last, error), fs::remove(product, error);
+  const auto [output, good] = ran(commands);
+  if (!good || !fs::exists(product, error)) throw NotBuilt(short_line(printable(first_error(output))));
   write_whole(last, made_by);
 }
 
@@ -166,12 +165,20 @@ Sources Sources::of_build_tree() {
 
 std::string Sources::add(const std::string& file, const std::string& own_flags,
                          const std::string& own_libraries) {
+  constexpr std::array endings{".c", ".cc", ".cpp", ".cxx", ".C"};
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw std::invalid_argument(fmt::format("{}: is no file", file));
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("{}: {}", file, why));
+  };
+  if (!fs::is_regular_file(file, error)) refuse("is no file");
+  if (!std::ranges::count(endings, fs::path(file).extension().string()))
+    refuse(
+        fmt::format("is no source in C or C++: its name must end with one of {}", fmt::join(endings, ", ")));
   const std::string name = fs::path(file).stem().string();
-  if (!adapters.try_emplace(name, fs::absolute(file).string(), include + " " + own_flags, own_libraries)
-           .second)
-    throw std::invalid_argument(fmt::format("{}: a subject is named '{}' already", file, name));
+  if (!is_utf8(name)) refuse("its name is not UTF-8");
+  const Adapter adapter{fs::absolute(file).string(), include + " " + own_flags, own_libraries, true};
+  if (!adapters.try_emplace(name, adapter).second)
+    refuse(fmt::format("a subject is named '{}' already", name));
   return name;
 }
 
@@ -179,41 +186,44 @@ std::string built(const Sources& sources, const std::string& subject, const Envi
                   const std::string& folder) {
   const Sources::Adapter& a = adapter_of(sources, subject);
   fs::create_directories(folder);
-  const fs::path product = fs::absolute(fs::path(folder) / (subject + "-" + e.name + e.ending));
-  const std::string stem = (product.parent_path() / product.stem()).string();
+  const std::string in = fs::absolute(folder).string(), stem = in + "/" + subject + "-" + e.name;
+  const std::string product = stem + e.ending;
   // A compiler for another machine needs the headers of libraries, but its own ones first.
   const std::string headers = e.run.empty() ? "" : " -idirafter /usr/include";
   const std::string flags = fmt::format("-DNDEBUG {} {}{}", a.flags, e.flags, headers);
-  std::string commands = e.prepare.empty() ? "" : "( " + e.prepare + " ) && ";
+  std::string commands =
+      e.prepare.empty() ? "" : fmt::format("( cd {} && {} ) && ", shell_quoted(in), e.prepare);
+  std::string link = e.link;
+  if (const std::size_t at = link.find(builds_folder); at != link.npos)
+    link.replace(at, std::string_view(builds_folder).size(), shell_quoted(in));
   commands += fmt::format(
       "{0} {4} {5} -MD -MF {1}.d -MT {1} -c {2} -o {1}.adapter.o && {0} {6} {5} -MD -MF {1}.process.d -MT "
       "{1} -c "
       "{3} -o {1}.process.o && ",
       e.compiler, shell_quoted(stem), shell_quoted(a.source), shell_quoted(sources.process),
       language_of(a.source), flags, language_of(sources.process));
-  commands +=
-      fmt::format("{} {} {}.adapter.o {}.process.o {} {} -o {}", e.compiler, e.flags, shell_quoted(stem),
-                  shell_quoted(stem), e.link, a.libraries, shell_quoted(product.string()));
-  make(product, e.compiler, commands, {".d", ".process.d"});
-  return (e.run.empty() ? "exec " : "exec " + e.run + " ") + shell_quoted(product.string());
+  commands += fmt::format("{} {} {}.adapter.o {}.process.o {} {} -o {}", e.compiler, e.flags,
+                          shell_quoted(stem), shell_quoted(stem), link, a.libraries, shell_quoted(product));
+  make(stem, product, e.compiler, commands, {".d", ".process.d"}, a.always);
+  return (e.run.empty() ? "exec " : "exec " + e.run + " ") + shell_quoted(product);
 }
 
-void forget(const std::string& subject, const Environment& e, const std::string& folder) {
+void forget(const std::string& subject, const std::string& environment, const std::string& folder) {
   std::error_code error;
-  fs::remove(fs::path(folder) / (subject + "-" + e.name + ".command"), error);
+  fs::remove(fs::path(folder) / (subject + "-" + environment + ".command"), error);
 }
 
 std::string built_for_program(const Sources& sources, const std::string& subject, const std::string& folder) {
   const Sources::Adapter& a = adapter_of(sources, subject);
   fs::create_directories(folder);
-  const fs::path product = fs::absolute(fs::path(folder) / (subject + "-program.so"));
-  const std::string stem = (product.parent_path() / product.stem()).string();
-  make(product, sources.compiler,
+  const std::string stem = fs::absolute(folder).string() + "/" + subject + "-" + own_build,
+                    product = stem + ".so";
+  make(stem, product, sources.compiler,
        fmt::format("{} {} -DNDEBUG {} {} -fPIC -shared -MD -MF {}.d {} -x none {} -o {}", sources.compiler,
                    language_of(a.source), sources.flags, a.flags, shell_quoted(stem), shell_quoted(a.source),
-                   a.libraries, shell_quoted(product.string())),
-       {".d"});
-  return "in-process:" + product.string();
+                   a.libraries, shell_quoted(product)),
+       {".d"}, a.always);
+  return product;
 }
 
 }  // namespace liecheck::properties::environments

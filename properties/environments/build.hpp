@@ -12,12 +12,13 @@ namespace liecheck::properties::environments {
 struct Sources {
   struct Adapter {
     std::string source, flags, libraries;
+    bool always = false;  ///< it is built anew each time: its libraries may have changed
   };
   std::map<std::string, Adapter> adapters;  ///< by the name of the subject
   std::string process;                      ///< a program of the process protocol, compiled with the adapter
   std::string compiler, flags;              ///< of the program itself
 
-  std::string include;                      ///< flags to find the interface of adapters
+  std::string include;  ///< flags to find the interface of adapters
 
   /// Beside the program in its build tree. Throws std::runtime_error if it is not there.
   static Sources of_build_tree();
@@ -36,10 +37,13 @@ struct NotBuilt : std::runtime_error {
 std::string built(const Sources& sources, const std::string& subject, const Environment& e,
                   const std::string& folder);
 
-/// The next call of built() compiles it again: what it returned does not start.
-void forget(const std::string& subject, const Environment& e, const std::string& folder);
+/// The name of the program's own build among the environments.
+inline constexpr const char* own_build = "program";
 
-/// The same with the program's own compiler and flags, as a library in this process.
+/// The next call of built() compiles it again: what it returned does not start.
+void forget(const std::string& subject, const std::string& environment, const std::string& folder);
+
+/// The same with the program's own compiler and flags, as a shared library.
 std::string built_for_program(const Sources& sources, const std::string& subject, const std::string& folder);
 
 }  // namespace liecheck::properties::environments

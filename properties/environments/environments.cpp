@@ -59,7 +59,7 @@ Environment musl() {
       "pow|fma|remainder|remquo|fmod|ldexp|scalbn|frexp|floor|ceil|rint|round|trunc|cbrt)f?|"
       "(exp|exp2f|log|logf|log2|log2f|pow|powf)_data)[.]l?o$')",
       archive);
-  e.link = "-no-pie musl/*o";  // .o or .lo
+  e.link = std::string("-no-pie ") + builds_folder + "/musl/*o";  // .o or .lo
   return e;
 }
 

@@ -16,11 +16,14 @@ enum class Promise {
   none       ///< -ffast-math: shown, not judged
 };
 
+inline constexpr const char* builds_folder = "{builds}";
+
 struct Environment {
   std::string name, what;
   Promise promise = Promise::same;
   std::optional<FloatMode> mode = {};  ///< of calls in this process; otherwise the subject is built anew
-  std::string compiler = {}, flags = {}, link = {};
+  std::string compiler = {}, flags = {},
+              link = {};     ///< builds_folder in `link` stands for the folder of the builds
   std::string prepare = {};  ///< a shell command that runs first, in the folder of the builds
   std::string run = {};      ///< what runs the executable, or "" for this machine
   std::string ending = {};   ///< of the executable's name

@@ -94,7 +94,8 @@ void compare(const Measured::Law& law, const Case& before, const Case& now, Prom
       ++f.small;
       continue;
     }
-    const bool was_right = was ? !was->failed : std::ranges::none_of(before.verdicts, &Verdict::failed);
+    // A check that had no verdict there was not right.
+    const bool was_right = was ? was->right() : std::ranges::all_of(before.verdicts, &Verdict::right);
     if (v.outcome != Outcome::measured) {
       const bool bad = v.failed || leaves_open(v.outcome);
       if (!was_right || !bad) continue;

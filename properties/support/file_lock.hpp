@@ -6,11 +6,11 @@
 namespace liecheck::properties {
 
 /// While it exists, no other program has a lock of the same file. "" is no file. The lock is an empty file beside it,
-/// FILE.lock, which ends with the program.
+/// FILE.liecheck-lock, which ends with the program.
 class FileLock {
  public:
-  /// Throws std::invalid_argument that names the file if another program has it, and std::runtime_error if the lock cannot
-  /// be written.
+  /// Throws std::invalid_argument that names the file if another program has it, or a file with the lock's name is no
+  /// lock, and std::runtime_error if the lock cannot be written.
   explicit FileLock(const std::filesystem::path& file);
   ~FileLock();
   FileLock(const FileLock&) = delete;

@@ -7,7 +7,12 @@ namespace liecheck::properties {
 using nlohmann::json;
 
 json parsed(std::string_view text) {
-  return json::parse(text);
+  // Copies and texts of a value call themselves for each level: a level needs stack.
+  return json::parse(text, [](int depth, json::parse_event_t, const json&) {
+    if (depth > deepest_json)
+      throw json::other_error::create(599, "nested more deeply than 100 levels", nullptr);
+    return true;
+  });
 }
 
 std::string dumped(const json& value, int indent) {

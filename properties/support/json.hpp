@@ -7,7 +7,10 @@
 
 namespace liecheck::properties {
 
-/// Throws nlohmann::json::exception if the text is not JSON or has a number beyond double.
+/// The most levels of lists and objects in each other.
+inline constexpr int deepest_json = 100;
+
+/// Throws nlohmann::json::exception if the text is not JSON, has a number beyond double, or is nested too deeply.
 nlohmann::json parsed(std::string_view text);
 
 /// The value as text; `indent` is that of json::dump().

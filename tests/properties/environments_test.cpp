@@ -120,6 +120,8 @@ TEST(Environments, AreWorseWhereAResultIsNoLongerRight) {
     EXPECT_EQ(figures(bad, bad, Promise::same).worse, 0u);
   }
   EXPECT_EQ(figures(good, {0, Outcome::unresolved, false, false, 0, 8}, Promise::same).worse, 1u);
+  const Verdict open{0, Outcome::unresolved, false, false, 0, 8};
+  EXPECT_EQ(figures(open, open, Promise::same).worse, 0u) << "it had no verdict there";
   EXPECT_EQ(figures(refused, refused, Promise::same).worse, 0u);
   EXPECT_EQ(figures(refused, refused, Promise::same).same_verdicts, 1u);
 }

@@ -292,10 +292,39 @@ TEST_F(Program, EnvironmentsRefuseASourceThatIsNotThere) {
       {"--source textbook.c", "a subject is named 'textbook' already"},
       {"--link -lm", "--compile and --link need --source"}};
   for (const auto& [flags, words] : all) refused(std::string("environments ") + flags, words);
+  store("a.py", "");
+  refused("environments --source a.py", "is no source in C or C++");
   store("broken.c", "int f(void) { return unknown; }\n");
   const Run r = run("environments --source broken.c --only gcc-O0 --dir builds");
   EXPECT_EQ(r.code, 3) << r.err;
-  EXPECT_NE(r.out.find("not built: broken for this program: "), r.out.npos) << r.out;
+  EXPECT_NE(r.out.find("not measured: broken in this program: "), r.out.npos) << r.out;
+}
+
+TEST_F(Program, EnvironmentsSurviveAnAdapterThatCrashesAndSayWhatFailsAnyway) {
+  const auto adapter = [&](const std::string& name, const std::string& body) {
+    store(name,
+          "#include <liecheck_adapter.h>\n#include <math.h>\n#include <stdlib.h>\n"
+          "static void f(size_t n, const void* x, void* y, unsigned char* s) {\n"
+          "  double* q = y; (void)x, (void)s;\n  for (; n > 0; --n, q += 4) {" +
+              body +
+              "}\n}\n"
+              "static liecheck_function find(const char* o, const char* t) {\n"
+              "  const char* a = \"exp3_quaternion\"; while (*a && *a == *o) ++a, ++o;\n"
+              "  return *a == *o && t[0] == 'd' ? f : 0;\n}\n"
+              "static const struct liecheck_adapter all = {LIECHECK_ADAPTER_VERSION, \"mine\", \"1\", 1, "
+              "find};\n"
+              "const struct liecheck_adapter* liecheck_get_adapter(void) { return &all; }\n");
+    return run("environments --source " + name +
+               " --link -lm --only up --only gcc-O0 --cases 2 --no-hard-cases --dir builds --json r.json");
+  };
+  const Run crash = adapter("crash.c", "abort();");
+  EXPECT_EQ(crash.code, 3) << crash.out << crash.err;
+  EXPECT_NE(crash.out.find("not measured: crash in up: it crashes or hangs"), crash.out.npos) << crash.out;
+  const Run leaves = adapter("leaves.c", "exit(0);");
+  EXPECT_EQ(leaves.code, 3) << leaves.out << leaves.err;
+  const Run nan = adapter("gives_nan.c", "q[0] = q[1] = q[2] = q[3] = NAN;");
+  EXPECT_EQ(nan.code, 3) << nan.out << nan.err;
+  EXPECT_NE(nan.out.find("checks fail or have no verdict in its own build"), nan.out.npos) << nan.out;
 }
 
 TEST_F(Program, AHangUpSignalStillWritesTheRecord) {

@@ -276,7 +276,10 @@ TEST_F(Report, ShowsTheMeasurementsOfOtherCommands) {
         "<td>98 %</td><td>93 %</td><td>2</td><td>Inf</td><td>1.0</td>",
         "<th scope=\"row\">exp6 double</th><td><b class=\"status fail\">2 worse</b></td>",
         "<th scope=\"row\">log6 float</th><td>=</td>", "<th scope=\"row\">exp6 double</th><td>1.1</td>",
-        "riscv64: not installed: qemu-riscv64 is not there", "&lt;mine&gt; in aarch64: not built: error: no",
+        "&lt;mine&gt;: 99 of 130 checks pass", "<td>50.0 %</td><td><code>f</code></td>",
+        "<section id=\"environments\" aria-labelledby=\"environments-title\">\n<details open>",
+        "riscv64: not installed: qemu-riscv64 is not there",
+        "&lt;mine&gt; in aarch64: not measured: error: no",
         "<td>1e+06</td><td>1.2</td><td>200</td><td>0.2</td><td>0.51 (0.46 … 0.56)</td>",
         "fail</span>: norm beyond 4 eps</td><td>64</td><td>NaN</td><td>Inf</td><td>Inf</td><td>—</td>",
         "random rounding deceives in 1 of 2 parts", "<td>7.1</td><td>15.7</td><td>—</td>"})
@@ -290,12 +293,23 @@ TEST_F(Report, RefusesMeasurementsWithoutACampaignOrWithAWrongField) {
   Json wrong = measurement("horizons");
   wrong["rows"][0]["points"][1]["n"] = -1;
   EXPECT_TRUE(has(refusal(dumped(wrong)), "field rows[0].points[1].n: expected a count"));
+  wrong = measurement("horizons");
+  wrong["verdict"] = "pass";
+  EXPECT_TRUE(has(refusal(dumped(wrong)), "field verdict: expected fail, as a row failed"));
   wrong = measurement("rounding");
   wrong["rounding"] = 2;
   EXPECT_TRUE(has(refusal(dumped(wrong)), "field rounding: expected 1, found 2"));
   wrong = measurement("environments");
   wrong["seed"] = -1;
   EXPECT_TRUE(has(refusal(dumped(wrong)), "field seed: expected a seed"));
+  wrong = measurement("environments");
+  wrong["rows"][1]["sum"]["same_calls"] = 101;
+  EXPECT_TRUE(
+      has(refusal(dumped(wrong)), "rows[1].sum.same_calls: expected a count from 0 to 100, found 101"));
+  wrong = measurement("environments");
+  wrong["rows"].push_back(wrong["rows"][0]);
+  EXPECT_TRUE(has(refusal(dumped(wrong)), "row environments / liecheck / up is already in"));
+  EXPECT_TRUE(has(refusal(std::string(200000, '[')), "nested more deeply than 100 levels"));
 }
 
 TEST_F(Report, EscapesDataInThePage) {

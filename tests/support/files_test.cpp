@@ -7,9 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <support/file_lock.hpp>
 #include <support/files.hpp>
+#include <support/json.hpp>
 
 #include "../scratch.hpp"
 
@@ -85,6 +88,40 @@ TEST_F(Files, CheckWritableRefusesBeforeAnythingIsWritten) {
   for (const fs::path& file : {dir / "none" / "a", dir / "", fs::path("")})
     EXPECT_NE(refusal([&] { check_writable(file); }).find("cannot be written"), std::string::npos) << file;
   EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(Files, ALockHoldsForEveryNameOfAFileAndDeletesNoFileOfOthers) {
+  std::ofstream(dir / "state") << "{}";
+  fs::create_symlink("state", dir / "link");
+  const fs::path its = dir / "state.liecheck-lock";
+  {
+    const FileLock lock(dir / "state");
+    EXPECT_TRUE(fs::exists(its));
+    EXPECT_THROW(FileLock(dir / "state"), std::invalid_argument);
+    EXPECT_THROW(FileLock(dir / "link"), std::invalid_argument);
+    EXPECT_TRUE(fs::exists(its));
+  }
+  EXPECT_FALSE(fs::exists(its));
+  std::ofstream(its) << "precious";
+  EXPECT_THROW(FileLock(dir / "state"), std::invalid_argument);
+  EXPECT_EQ(read(its), "precious");
+  fs::remove(its);
+  ASSERT_EQ(::mkfifo(its.c_str(), 0600), 0);
+  EXPECT_THROW(FileLock(dir / "state"), std::invalid_argument);
+  fs::remove(its);
+  {
+    const FileLock lock(dir / "state");
+    fs::remove(its);
+    std::ofstream(its) << "another file";
+  }
+  EXPECT_EQ(read(its), "another file");
+}
+
+TEST(JsonText, IsRefusedIfItIsNestedTooDeeply) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  EXPECT_NO_THROW(parsed(nested(100)));
+  EXPECT_THROW(parsed(nested(102)), nlohmann::json::exception);
+  EXPECT_THROW(parsed(nested(1'000'000)), nlohmann::json::exception);
 }
 
 }  // namespace
