@@ -8,7 +8,8 @@
 namespace liecheck {
 
 /// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`. If no line is at fault, what()
-/// is `FILE: what (value)` and line() is 0. A long value is cut to 80 bytes.
+/// is `FILE: what (value)` and line() is 0. A long value is cut to 80 bytes,
+/// and a text with a long name, in its middle, to 400.
 class UrdfError : public std::runtime_error {
  public:
   UrdfError(const std::string& file, int line, const std::string& what, const std::string& value);
