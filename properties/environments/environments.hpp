@@ -16,6 +16,7 @@ enum class Promise {
   none       ///< -ffast-math: shown, not judged
 };
 
+/// Stands for the folder of the builds in Environment::link.
 inline constexpr const char* builds_folder = "{builds}";
 
 struct Environment {

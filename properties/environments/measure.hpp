@@ -28,6 +28,7 @@ struct Verdict {
   std::uint16_t output = 0;
   Outcome outcome = Outcome::measured;
   bool failed = false, ill_posed = false;
+  /// It has a verdict, and no failure.
   bool right() const { return !failed && !leaves_open(outcome); }
   double error = 0;  ///< [eps], or [eps kappa] where the excess rule holds
   double limit = 0;  ///< in the same unit

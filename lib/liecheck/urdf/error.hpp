@@ -8,8 +8,8 @@
 namespace liecheck {
 
 /// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`. If no line is at fault, what()
-/// is `FILE: what (value)` and line() is 0. A long value is cut to 80 bytes,
-/// and a text with a long name, in its middle, to 400.
+/// is `FILE: what (value)` and line() is 0. A long value is cut to 80 bytes;
+/// `what` loses its middle beyond 400 bytes, which only a long name makes it exceed.
 class UrdfError : public std::runtime_error {
  public:
   UrdfError(const std::string& file, int line, const std::string& what, const std::string& value);
