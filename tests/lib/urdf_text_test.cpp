@@ -178,4 +178,17 @@ TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
   EXPECT_GE(robots, 6);
   EXPECT_GE(texts - robots, 2);
 }
+TEST(Urdf, AnErrorStaysShortAndKeepsBothEndsIfANameIsLong) {
+  std::string name;
+  for (int i = 0; i < 500; ++i) name += "\xc3\xa4";  // an a with two dots
+  for (const std::string& before :
+       {"link '", "a link '"}) {  // a character begins at an even and at an odd byte
+    const std::string what = UrdfError("f", 3, before + name + "' has a negative mass", "-1").what();
+    EXPECT_LE(what.size(), 420u);
+    EXPECT_EQ(what.find("f:3: " + before + "\xc3\xa4"), 0u) << what;
+    EXPECT_NE(what.find("\xc3\xa4...\xc3\xa4"), what.npos) << what;
+    EXPECT_NE(what.find("\xc3\xa4' has a negative mass (-1)"), what.npos) << what;
+  }
+}
+
 }  // namespace
