@@ -37,7 +37,7 @@ std::string sweep_section(const Merged& merged) {
         rows, true);
   }
   return out.empty() ? "<p>These records hold no sweep: <code>liecheck report</code> without a record runs "
-                       "one, as does <code>liecheck sweep</code>.</p>\n"
+                       "one, as does <code>liecheck lab sweep</code>.</p>\n"
                      : out;
 }
 
@@ -64,7 +64,7 @@ std::string bounds_section(const Merged& merged) {
                  rows, true);
   }
   return out.empty() ? "<p>These records hold no proofs: <code>liecheck report</code> without a record makes "
-                       "them, as does <code>liecheck bench bounds</code>.</p>\n"
+                       "them, as does <code>liecheck lab bounds</code>.</p>\n"
                      : out;
 }
 

@@ -16,16 +16,13 @@ class Option;
 
 namespace liecheck::properties {
 
-struct BoundOptions;
 struct CostOptions;
 struct CostResult;
 struct HardRow;
-struct ProvedBound;
 struct Robot;
 struct SceneSweepOptions;
 struct SceneSweepResult;
 struct Selection;
-struct SweepResult;
 
 /// Exit codes of the program.
 enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
@@ -199,14 +196,7 @@ void write_record_of(const std::string& file, const Results&... results);
 /// line for each block and the worst in full.
 void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 
-// The command `report` runs the next three functions, too. They show progress, and stop at stop_requested.
-
-/// Sweeps the named coefficients, or all if none is named. Before anything runs, throws std::invalid_argument
-/// that names an unknown coefficient.
-SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned jobs, std::uint32_t stride = 1);
-
-/// Proves the bounds of the operations in `options`, with progress, and calls `done` for each, in order.
-void run_bounds(BoundOptions options, const std::function<void(const ProvedBound&)>& done);
+// The command `report` runs the next functions, too. They show progress, and stop at stop_requested.
 
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
@@ -218,11 +208,7 @@ void add_subjects(CostOptions& options, const std::vector<std::string>& adapters
 SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
                                  std::size_t flips);
 
-/// Reads the command line, and runs its command or prints the help. Returns the exit code. Throws
-/// std::invalid_argument if the command line is wrong. typed_line: as for campaign_command.
-int run_program(int argc, char** argv, const std::string& typed_line);
-
-// A command is added to the program or to the group of commands "bench" or "scene".
+// A command is added to a program or to a group of commands, such as "scene".
 
 /// The names in their order, each once.
 std::vector<std::string> without_repeats(const std::vector<std::string>& names);
@@ -230,27 +216,13 @@ std::vector<std::string> without_repeats(const std::vector<std::string>& names);
 Command list_command(CLI::App& program);
 Command adapter_check_command(CLI::App& adapter);
 Command adapter_serve_command(CLI::App& adapter);
+Command adapter_tellings_command(CLI::App& adapter);
 /// typed_line: the whole command line, quoted for a shell.
 Command campaign_command(CLI::App& program, const std::string& typed_line);
 Command hard_cases_command(CLI::App& program);
 Command hunt_command(CLI::App& program);
 Command promise_command(CLI::App& program);
 Command environments_command(CLI::App& program);
-Command league_command(CLI::App& program);
-Command league_measure_command(CLI::App& league);
-Command league_findings_command(CLI::App& league);
-Command league_changes_command(CLI::App& league);
-Command bench_batches_command(CLI::App& bench);
-Command bench_bounds_command(CLI::App& bench);
-Command bench_bugs_command(CLI::App& bench);
-Command bench_history_command(CLI::App& bench);
-Command bench_horizons_command(CLI::App& bench);
-Command bench_lattice_command(CLI::App& bench);
-Command bench_limits_command(CLI::App& bench);
-Command bench_rounding_command(CLI::App& bench);
-Command bench_speed_command(CLI::App& bench);
-Command bench_wire_command(CLI::App& bench);
-Command sweep_command(CLI::App& program);
 Command robot_command(CLI::App& program);
 Command cost_command(CLI::App& program);
 Command scene_run_command(CLI::App& scene);
@@ -262,5 +234,7 @@ Command report_command(CLI::App& program);
 Command merge_command(CLI::App& program);
 Command export_command(CLI::App& program);
 Command compare_command(CLI::App& program);
+Command completion_command(CLI::App& program);
+Command lab_command(CLI::App& program);
 
 }  // namespace liecheck::properties

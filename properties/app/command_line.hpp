@@ -7,6 +7,8 @@
 
 namespace liecheck::properties {
 
+struct Program;
+
 /// The message as a line for a terminal: printable, in valid UTF-8, and without the middle of a message of more than
 /// 2000 bytes, which quotes a long value: its first part names the place, its last part the reason.
 std::string one_line(const std::string& message);
@@ -14,7 +16,7 @@ std::string one_line(const std::string& message);
 class CommandLine {
  public:
   /// typed_line: the whole command line, quoted for a shell.
-  explicit CommandLine(const std::string& typed_line);
+  CommandLine(const Program& program, const std::string& typed_line);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

@@ -56,12 +56,7 @@ std::vector<std::string> groups_of(const Commands& all) {
   return groups;
 }
 
-/// The first sentence, which fits into a line of a menu.
-std::string brief(const std::string& help) {
-  return help.substr(0, std::min(help.find(". "), help.find("; ")));
-}
-
-std::string in_bash(const Commands& all) {
+std::string in_bash(const std::string& program, const Commands& all) {
   std::string values_text, commands_text;
   for (const Values& v : values())
     values_text +=
@@ -75,26 +70,26 @@ std::string in_bash(const Commands& all) {
       commands_text +=
           fmt::format("    \"{}\") [[ $now == -* ]] && words=\"{}\" ;;\n", path_of(c), fmt::join(names, " "));
   }
-  return fmt::format(R"~(# In ~/.bashrc: eval "$(liecheck completion bash)"
-_liecheck() {{
+  return fmt::format(R"~(# In ~/.bashrc: eval "$({0} completion bash)"
+_{0}() {{
   local now="${{COMP_WORDS[COMP_CWORD]}}" command="" words="" i
   for ((i = 1; i < COMP_CWORD; ++i)); do
     case "$command" in
-    ""{}) [[ ${{COMP_WORDS[i]}} == -* ]] || command="${{command:+$command }}${{COMP_WORDS[i]}}" ;;
+    ""{1}) [[ ${{COMP_WORDS[i]}} == -* ]] || command="${{command:+$command }}${{COMP_WORDS[i]}}" ;;
     esac
   done
   case "${{COMP_WORDS[COMP_CWORD - 1]}}" in
-{}  esac
+{2}  esac
   case "$command" in
-{}  esac
+{3}  esac
   COMPREPLY=($(compgen -W "$words" -- "$now"))
 }}
-complete -o default -F _liecheck liecheck
+complete -o default -F _{0} {0}
 )~",
-                     fmt::join(groups_of(all), "|"), values_text, commands_text);
+                     program, fmt::join(groups_of(all), "|"), values_text, commands_text);
 }
 
-std::string in_zsh(const Commands& all) {
+std::string in_zsh(const std::string& program, const Commands& all) {
   std::string values_text, commands_text;
   const auto described = [](const std::string& name, const std::string& help) {
     return shell_quoted(name + ":" + brief(help));
@@ -115,29 +110,29 @@ std::string in_zsh(const Commands& all) {
         commands_text += fmt::format("      {}\n", described(name, f.help));
     commands_text += "    ) ;;\n";
   }
-  return fmt::format(R"~(#compdef liecheck
-# In ~/.zshrc, after compinit: eval "$(liecheck completion zsh)"
-_liecheck() {{
+  return fmt::format(R"~(#compdef {0}
+# In ~/.zshrc, after compinit: eval "$({0} completion zsh)"
+_{0}() {{
   local command="" i
   local -a all
   for ((i = 2; i < CURRENT; ++i)); do
     case "$command" in
-    (""{}) [[ $words[i] == -* ]] || command="${{command:+$command }}$words[i]" ;;
+    (""{1}) [[ $words[i] == -* ]] || command="${{command:+$command }}$words[i]" ;;
     esac
   done
   case "$words[CURRENT - 1]" in
-{}  esac
+{2}  esac
   case "$command" in
-{}  esac
+{3}  esac
   if [[ $words[CURRENT] == -* ]]; then _describe -o flag all; else _files; fi
 }}
-compdef _liecheck liecheck
+compdef _{0} {0}
 )~",
-                     fmt::join(groups_of(all), "|"), values_text, commands_text);
+                     program, fmt::join(groups_of(all), "|"), values_text, commands_text);
 }
 
-std::string in_fish(const Commands& all) {
-  std::string text = "# As ~/.config/fish/completions/liecheck.fish\n";
+std::string in_fish(const std::string& program, const Commands& all) {
+  std::string text = fmt::format("# As ~/.config/fish/completions/{}.fish\n", program);
   const auto known = values();
   const auto condition = [&](const std::string& group) {
     return group.empty()
@@ -146,7 +141,7 @@ std::string in_fish(const Commands& all) {
                              names_of(in_group(all, group), " "));
   };
   for (const CompletedCommand& c : all) {
-    text += fmt::format("complete -c liecheck -f -n '{}' -a {} -d {}\n", condition(c.group), c.name,
+    text += fmt::format("complete -c {} -f -n '{}' -a {} -d {}\n", program, condition(c.group), c.name,
                         shell_quoted(brief(c.help)));
     const std::string given =
         fmt::format("{}__fish_seen_subcommand_from {}",
@@ -159,7 +154,7 @@ std::string in_fish(const Commands& all) {
         for (const Values& v : known)
           if (name == "--" + v.flag) words = fmt::format(" -x -a '{}'", v.words);
       }
-      text += fmt::format("complete -c liecheck -n '{}'{}{} -d {}\n", given, names,
+      text += fmt::format("complete -c {} -n '{}'{}{} -d {}\n", program, given, names,
                           !words.empty() ? words
                           : f.has_value  ? " -r"
                                          : "",
@@ -171,8 +166,15 @@ std::string in_fish(const Commands& all) {
 
 }  // namespace
 
-std::string completion_script(const std::string& shell, const Commands& commands) {
-  return shell == "bash" ? in_bash(commands) : shell == "zsh" ? in_zsh(commands) : in_fish(commands);
+std::string brief(const std::string& help) {
+  return help.substr(0, std::min({help.find(". "), help.find("; "), help.find(": ")}));
+}
+
+std::string completion_script(const std::string& program, const std::string& shell,
+                              const Commands& commands) {
+  return shell == "bash"  ? in_bash(program, commands)
+         : shell == "zsh" ? in_zsh(program, commands)
+                          : in_fish(program, commands);
 }
 
 }  // namespace liecheck::properties

@@ -20,7 +20,11 @@ struct CompletedCommand {
   bool is_group = false;
 };
 
-/// Returns the script for "bash", "zsh" or "fish".
-std::string completion_script(const std::string& shell, const std::vector<CompletedCommand>& commands);
+/// The first sentence of a help, which fits into a line of a menu.
+std::string brief(const std::string& help);
+
+/// Returns the script for "bash", "zsh" or "fish". `program` is its name.
+std::string completion_script(const std::string& program, const std::string& shell,
+                              const std::vector<CompletedCommand>& commands);
 
 }  // namespace liecheck::properties

@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <adapters/subjects.hpp>
 #include <algorithm>
-#include <app/command.hpp>
+#include <app/cost_batches.hpp>
 #include <cmath>
 #include <record/record.hpp>
 #include <support/environment.hpp>
@@ -19,7 +19,8 @@ namespace {
 struct Flags {
   CostOptions options;
   AdapterFlags adapters;
-  bool times_only = false;
+  BatchFlags batch;
+  bool batches = false, times_only = false;
   std::string json;
 };
 
@@ -127,6 +128,7 @@ CostOptions with_adapters(CostOptions o, const AdapterFlags& adapters, bool prob
 }
 
 int run(const Flags& f) {
+  if (f.batches) return run_batches(f.batch, f.options.operations);
   const CostOptions options = with_adapters(f.options, f.adapters, !f.times_only);
   if (f.times_only) {
     const SilentOutput library;
@@ -175,21 +177,29 @@ CostResult run_cost(CostOptions options) {
 
 Command cost_command(CLI::App& program) {
   CommandWith<Flags> a(program, "cost",
-                       "measure time and error of every operation of every subject on the same inputs. "
+                       "measure time and error of each operation. Every subject gets the same inputs. "
                        "Exit code 0; 2 for bad input; 3 if stopped");
   CostOptions& o = a->options;
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
-  a.list("--subject", o.subjects, "NAME",
-         "a subject, repeatable; default those of a campaign and liecheck's own variants, or the adapters "
-         "and liecheck");
-  a->adapters.add(a);
-  a.list("--scalar", o.scalars, "SCALAR",
-         fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", ")));
-  a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags");
-  a.seed(o.seed, "seed of the inputs");
-  a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
+  const Flag subject = a.list(
+                 "--subject", o.subjects, "NAME",
+                 "a subject, repeatable; default those of a campaign and liecheck's own variants, or the "
+                 "adapters and liecheck"),
+             adapter = a->adapters.add(a),
+             scalar = a.list("--scalar", o.scalars, "SCALAR",
+                             fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", "))),
+             flags = a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags"),
+             seed = a.seed(o.seed, "seed of the inputs"),
+             whole = a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
   a.hidden_toggle("--times-only", a->times_only);
-  a.json(a->json, "write times and errors to FILE");
+  const Flag json = a.json(a->json, "write times and errors to FILE");
+  const Flag batches =
+      a.toggle("--batches", a->batches,
+               "instead: time batches of poses, and of states of the built-in quadruped, beside the loop "
+               "over single ones "
+               "and a copy of memory, in each set of instructions of the processor, in float and double");
+  for (const Flag& other : {subject, adapter, scalar, flags, seed, whole, json}) batches.excludes(other);
+  for (const Flag& flag : a->batch.add(a)) flag.needs(batches);
   return a.runs(run);
 }
 

@@ -357,8 +357,9 @@ int run(const Flags& f) {
 Command environments_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "environments",
-      "the laws and the hard cases on a subject that is called in other rounding modes or built with "
-      "other compilers, flags and C libraries, and for other processors. Exit code 0 if no check is "
+      "run the laws and the hard cases in other environments. A subject is called in other rounding modes or "
+      "built with other compilers, flags and C libraries, and for other processors. Exit code 0 if no check "
+      "is "
       "worse than expected in an environment that is judged; 1 if one is; 2 for bad input; 3 if stopped, not "
       "built, or absent and named by --only");
   a.list("--subject", a->subjects, "NAME",

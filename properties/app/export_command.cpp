@@ -28,7 +28,8 @@ int run(const Flags& f) {
 
 Command export_command(CLI::App& program) {
   CommandWith<Flags> a(program, "export",
-                       "print a store as text that depends on its results alone, not on stops and merges");
+                       "print a store as text. It depends on the results alone, not on stops and merges. "
+                       "Exit code 0; 2 for bad input");
   a.text("STORE", a->store, "", "a store, or STORE@N for its Nth campaign").required();
   a.text("--out", a->out, "FILE", "write to FILE instead of the standard output");
   return a.runs(run);

@@ -25,9 +25,10 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
   }
   fmt::print(
       "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
-      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs', run only if named\n"
-      "  history:NAME, history:NAME:fixed: bugs of real libraries, of 'liecheck bench history', run only if "
-      "named\n");
+      "  of the laboratory (liecheck-lab), run only if named:\n"
+      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck lab bugs'\n"
+      "  history:NAME, history:NAME:fixed: bugs of real libraries, of 'liecheck lab history'\n"
+      "  correct:NAME: correct implementations\n");
 }
 
 void print_absent() {
@@ -90,8 +91,8 @@ int run(const Flags& f) {
 
 Command list_command(CLI::App& program) {
   CommandWith<Flags> a(program, "list",
-                       "list the subjects, those that are absent, the operations with their blocks, and the "
-                       "laws. Exit code 0");
+                       "list the subjects, operations and laws. Also the subjects that are absent, and the "
+                       "blocks of each operation. Exit code 0");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
   const Flag laws = a.toggle("--laws", a->laws, "list only the names of the laws, one a line");

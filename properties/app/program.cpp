@@ -5,7 +5,7 @@
 #include <app/command.hpp>
 #include <app/command_line.hpp>
 #include <app/completion.hpp>
-#include <app/league_tellings.hpp>
+#include <app/programs.hpp>
 #include <charconv>
 #include <initializer_list>
 #include <iostream>
@@ -68,13 +68,6 @@ std::string long_name(const std::string& names) {
   return names.substr(names.rfind("--"));
 }
 
-/// Adds a group of commands.
-CLI::App& group(CLI::App& program, const std::string& name, const std::string& help) {
-  CLI::App& g = *program.add_subcommand(name, help);
-  g.require_subcommand(1);
-  return g;
-}
-
 /// Adds to `all` the commands of a program or of a group, as a shell completes them.
 void describe(const CLI::App& parent, const std::string& group, std::vector<CompletedCommand>& all) {
   for (const CLI::App* c : parent.get_subcommands([](const CLI::App*) { return true; })) {
@@ -94,51 +87,18 @@ void describe(const CLI::App& parent, const std::string& group, std::vector<Comp
   }
 }
 
-/// Prints the script by which a shell completes the command line.
-Command completion_command(CLI::App& program) {
-  struct Flags {
-    std::string shell;
-    const CLI::App* program;
-  };
-  CommandWith<Flags> a(program, "completion",
-                       "print the script by which a shell completes commands, flags and names. Exit code 0");
-  a->program = &program;
-  a.choice("SHELL", a->shell, {"bash", "zsh", "fish"}, "", "bash, zsh or fish").required();
-  return a.runs(+[](const Flags& f) -> int {
-    std::vector<CompletedCommand> all;
-    describe(*f.program, "", all);
-    std::cout << completion_script(f.shell, all);
-    return within_budget;
-  });
-}
-
-/// Adds all commands, in the order of the help.
-std::vector<Command> add_commands(CLI::App& program, const std::string& typed_line) {
-  std::vector<Command> all;
-  using Adder = std::function<Command(CLI::App&)>;
-  const auto add = [&](CLI::App& parent, std::initializer_list<Adder> commands) {
-    for (const Adder& command : commands) all.push_back(command(parent));
-  };
-  const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
-  add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
-  add(group(program, "bench",
-            "measure the harness (bugs that it finds, limits that it needs, speed), and liecheck by long "
-            "runs, proofs and random rounding"),
-      {bench_batches_command, bench_bounds_command, bench_bugs_command, bench_history_command,
-       bench_horizons_command, bench_lattice_command, bench_limits_command, bench_rounding_command,
-       bench_speed_command, bench_wire_command});
-  add(group(program, "adapter", "libraries from outside the program: docs/adapters.md"),
-      {adapter_check_command, adapter_serve_command});
-  const Command league = league_command(program);  // after its subcommands: they set it as given, too
-  add(*program.get_subcommand("league"),
-      {league_findings_command, league_changes_command, league_measure_command, league_tellings_command});
-  all.push_back(league);
-  add(program, {environments_command, sweep_command, robot_command, cost_command});
-  add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
-      {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
-  add(program,
-      {replay_command, report_command, merge_command, export_command, compare_command, completion_command});
-  return all;
+/// The help of a program: a line for each command, under the headings; without exit codes, which the help of each
+/// command has.
+std::string help_of(const CLI::App& program, const std::string& name) {
+  std::string text =
+      fmt::format("{}\nUsage: {} COMMAND ...; '{} COMMAND --help' prints its flags and exit codes\n",
+                  program.get_description(), name, name);
+  std::string heading;
+  for (const CLI::App* c : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (c->get_group() != heading) text += (heading = c->get_group()) + "\n";
+    text += fmt::format("  {:<14}{}\n", c->get_name(), brief(c->get_description()));
+  }
+  return text;
 }
 
 /// CLI11's message, or one that names an unknown command or option.
@@ -269,16 +229,61 @@ std::string one_line(const std::string& message) {
                      valid.substr(last));
 }
 
+void Commands::add(std::initializer_list<Adder> commands) {
+  for (const Adder& command : commands) {
+    all_.push_back(command(program_));
+    program_.get_subcommands([](const CLI::App*) { return true; }).back()->group(heading_);
+  }
+}
+
+void Commands::add_group(const std::string& name, const std::string& help,
+                         std::initializer_list<Adder> commands) {
+  CLI::App& group = *program_.add_subcommand(name, help)->group(heading_);
+  group.require_subcommand(1);
+  for (const Adder& command : commands) all_.push_back(command(group));
+}
+
+void Commands::add_with(const std::string& name, const Adder& command, std::initializer_list<Adder> below) {
+  const Command own = command(program_);  // after its subcommands: they set it as given, too
+  CLI::App& group = *program_.get_subcommand(name)->group(heading_);
+  for (const Adder& other : below) all_.push_back(other(group));
+  all_.push_back(own);
+}
+
+/// Prints the script by which a shell completes the command line.
+Command completion_command(CLI::App& program) {
+  struct Flags {
+    std::string shell;
+    const CLI::App* program;
+  };
+  CommandWith<Flags> a(program, "completion",
+                       "print the script by which a shell completes commands, flags and names. Exit code 0");
+  a->program = &program;
+  a.choice("SHELL", a->shell, {"bash", "zsh", "fish"}, "", "bash, zsh or fish").required();
+  return a.runs(+[](const Flags& f) -> int {
+    std::vector<CompletedCommand> all;
+    describe(*f.program, "", all);
+    std::cout << completion_script(f.program->get_name(), f.shell, all);
+    return within_budget;
+  });
+}
+
 struct CommandLine::Parts {
-  CLI::App program{"liecheck " LIECHECK_VERSION
-                   ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
-  std::vector<Command> commands;
+  CLI::App program;
+  Commands commands{program};
 };
 
-CommandLine::CommandLine(const std::string& typed_line) : parts_(std::make_unique<Parts>()) {
-  parts_->program.require_subcommand(1);
-  parts_->program.set_version_flag("--version", LIECHECK_VERSION);
-  parts_->commands = add_commands(parts_->program, typed_line);
+CommandLine::CommandLine(const Program& p, const std::string& typed_line)
+    : parts_(std::make_unique<Parts>()) {
+  CLI::App& program = parts_->program;
+  program.name(p.name);
+  program.description(fmt::format("{} " LIECHECK_VERSION ": {}.", p.name, p.title));
+  program.require_subcommand(1);
+  program.set_version_flag("--version", LIECHECK_VERSION);
+  p.add_commands(parts_->commands, typed_line);
+  program.formatter_fn([name = p.name](const CLI::App* a, const std::string&, CLI::AppFormatMode) {
+    return help_of(*a, name);
+  });
 }
 CommandLine::~CommandLine() = default;
 
@@ -293,13 +298,13 @@ std::optional<int> CommandLine::read(int argc, const char* const* argv) {
 }
 
 int CommandLine::run() const {
-  for (const Command& command : parts_->commands)
+  for (const Command& command : parts_->commands.all())
     if (command.arguments->parsed()) return command.run();
   throw std::invalid_argument("no command");
 }
 
-int run_program(int argc, char** argv, const std::string& typed_line) {
-  CommandLine line(typed_line);
+int run_program(const Program& program, int argc, char** argv, const std::string& typed_line) {
+  CommandLine line(program, typed_line);
   if (const auto code = line.read(argc, argv)) return *code;
   return line.run();
 }

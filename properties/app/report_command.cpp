@@ -2,8 +2,7 @@
 #include <adapters/subjects.hpp>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
-#include <bounds/bounds.hpp>
-#include <coefficients/sweep.hpp>
+#include <app/lab.hpp>
 #include <filesystem>
 #include <functional>
 #include <hard_cases/hard_cases.hpp>
@@ -111,15 +110,19 @@ fs::path run_campaign_of_report(const Flags& f) {
   SceneSweepOptions scenes;
   scenes.order_scenes = 3, scenes.order_seconds = 6;
   scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
-  if (everything) add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
-  if (everything)
-    add(" during the proofs", [&] {
-      BoundOptions options;
-      options.boxes = 30'000, options.jobs = f.cases.options.jobs;
-      std::vector<ProvedBound> bounds;
-      run_bounds(options, [&](const ProvedBound& b) { bounds.push_back(b); });
-      add_bounds(record, bounds, !stop_requested);
-    });
+  if (everything) {
+    const bool lab = !lab_program().empty();
+    if (!lab)
+      warn(
+          "the report has no sweep of every float and no proofs: the laboratory, liecheck-lab, is not "
+          "built\n");
+    const auto measured = [&](const char* key, std::vector<std::string> arguments) {
+      arguments.insert(arguments.end(), {"--jobs", std::to_string(f.cases.options.jobs)});
+      add_part(record, key, record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json"));
+    };
+    if (lab) add(" during the sweep", [&] { measured("sweep", {"sweep"}); });
+    if (lab) add(" during the proofs", [&] { measured("bounds", {"bounds", "--boxes", "30000"}); });
+  }
   if (timed)
     add(" during the timing", [&] {
       try {
@@ -146,14 +149,15 @@ int run(const Flags& f) {
 }  // namespace
 
 Command report_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "report",
-                       "write the accuracy report of records, or of a campaign over every subject or the "
-                       "chosen ones. Exit code 0 if it is "
-                       "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
+  CommandWith<Flags> a(
+      program, "report",
+      "write the accuracy report, an HTML page. It is of records, or of a campaign over every "
+      "subject or the chosen ones. Exit code 0 if it is "
+      "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
   const Flag records =
       a.list("RECORD", a->records, "FILE",
              "stores, or records that campaign --json wrote, and beside them those of "
-             "environments, bench horizons and bench rounding; default: run a campaign first");
+             "environments and of the laboratory's horizons and rounding; default: run a campaign first");
   a.list("--subject", a->selection.subjects, "NAME",
          "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default all, or the "
          "adapters")

@@ -1,8 +1,5 @@
 #include <app/campaign_run.hpp>
-#include <history/bench.hpp>
-#include <lattice/lattice.hpp>
 #include <nlohmann/json.hpp>
-#include <record/bench.hpp>
 #include <record/record.hpp>
 #include <record/scenes.hpp>
 #include <reports/summary.hpp>
@@ -14,13 +11,7 @@ void write_record_of(const std::string& file, const Results&... results) {
   if (!file.empty()) write_record(file, record_of(results...));
 }
 
-template void write_record_of(const std::string&, const BugBench&);
-template void write_record_of(const std::string&, const HistoryBench&);
-template void write_record_of(const std::string&, const LatticeResult&);
-template void write_record_of(const std::string&, const SpeedBench&);
-template void write_record_of(const std::string&, const WireBench&);
 template void write_record_of(const std::string&, const CostResult&);
-template void write_record_of(const std::string&, const SweepResult&);
 template void write_record_of(const std::string&, const SceneSweepResult&);
 template void write_record_of(const std::string&, const scene::Scene&, const scene::Run&);
 

@@ -275,4 +275,11 @@ json record_of(const StoredRun& run) {
       {"results", results.rows}};
 }
 
+void add_part(json& record, const std::string& key, json part) {
+  if (part.is_null()) return;
+  part.erase("environment");  // the campaign's record has it
+  if (part.value("verdict", "") == "fail") record["verdict"] = "fail";
+  record[key] = std::move(part);
+}
+
 }  // namespace liecheck::properties

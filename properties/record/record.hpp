@@ -19,9 +19,6 @@ struct CostRow;
 struct HardRow;
 struct Spread;
 struct StoredRun;
-struct ProvedBound;
-struct SweepResult;
-struct SweptCoefficient;
 
 /// The verdict on a whole run.
 inline const char* verdict_of(bool complete, bool passed) {
@@ -46,23 +43,9 @@ nlohmann::json record_of(const std::vector<HardRow>& rows);
 /// a hard case failed, and "incomplete" instead of "pass" if a hard case has no verdict.
 void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows, bool interrupted);
 
-/// The sweep of the scalar coefficients: key "sweep" of a campaign's record.
-nlohmann::json record_of(const SweepResult& result);
-
-/// Adds a sweep to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
-void add_sweep(nlohmann::json& record, const SweepResult& result);
-
-/// Proved bounds of whole operations: key "bounds" of a campaign's record. `failed`: a claim is not proved.
-nlohmann::json record_of(const std::vector<ProvedBound>& bounds, bool complete, bool failed);
-
-/// Adds proved bounds to a campaign's record. The record's verdict becomes "fail" if a hunted error is above one.
-void add_bounds(nlohmann::json& record, const std::vector<ProvedBound>& bounds, bool complete);
-
-/// "absolute" or "relative": how the error of a coefficient is measured.
-const char* error_kind(const SweptCoefficient& c);
-
-/// "fail" if an error exceeds the documented bound; otherwise "pass" if every float was swept, or "sampled".
-const char* status_of(const SweepResult& result, const SweptCoefficient& c);
+/// Adds a part that the laboratory measured to a campaign's record: key "sweep" or "bounds". The record's verdict becomes
+/// "fail" if that of the part is.
+void add_part(nlohmann::json& record, const std::string& key, nlohmann::json part);
 
 /// Time and error of operations: key "cost" of a campaign's record.
 nlohmann::json record_of(const CostResult& result);

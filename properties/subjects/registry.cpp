@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <subjects/known_bugs.hpp>
+#include <subjects/linked.hpp>
 #include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {

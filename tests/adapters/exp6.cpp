@@ -1,4 +1,4 @@
-// exp6 of the library as an adapter, for `liecheck bench wire`.
+// exp6 of the library as an adapter, for `liecheck lab wire`.
 
 #include <liecheck_adapter.hpp>
 

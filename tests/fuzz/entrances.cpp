@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <adapters/child.hpp>
 #include <app/command_line.hpp>
+#include <app/programs.hpp>
 #include <budgets/limits.hpp>
 #include <campaign/case_id.hpp>
 #include <cstdlib>
@@ -258,7 +259,7 @@ const std::map<std::string, Maker>& makers() {
       {"flags",
        [](const fs::path& fixtures, const fs::path&) {
          std::cout.rdbuf(nullptr);  // the help
-         auto line = std::make_shared<CommandLine>("liecheck");
+         auto line = std::make_shared<CommandLine>(liecheck_program, "liecheck");
          return Entrance{"",
                          documented_commands(fixtures.parent_path() / "docs"),
                          {"--json\n", "--help\n", "-j\n", "--", "-", "=", "--seed=", "--cases\n", "--for\n",

@@ -31,7 +31,7 @@ const std::vector<Room> library = {
      {"spatial", "multibody", "algorithms", "urdf"}},  // the header of all that most programs need
 };
 
-/// properties and reports; "lib" is any room of the library. Oracles that used lib would share its errors.
+/// properties, reports and lab; "lib" is any room of the library. Oracles that used lib would share its errors.
 const std::vector<Room> harness = {
     {"lib", {}},
     {"support", {}},
@@ -48,8 +48,6 @@ const std::vector<Room> harness = {
     {"search", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"hard_cases",
      {"support", "oracles", "operations", "conventions", "generators", "subjects", "invariants", "campaign"}},
-    {"history",
-     {"support", "oracles", "operations", "budgets", "subjects", "invariants", "campaign", "hard_cases"}},
     {"failures",
      {"lib", "support", "oracles", "operations", "conventions", "generators", "budgets", "subjects",
       "invariants", "adapters", "campaign", "search"}},
@@ -57,37 +55,53 @@ const std::vector<Room> harness = {
     {"laws",
      {"support", "generators", "subjects", "invariants", "adapters", "campaign", "search", "hard_cases",
       "failures"}},
-    {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"store", {"support", "campaign", "search", "hard_cases", "failures"}},
-    {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"timing",
      {"lib", "support", "oracles", "operations", "conventions", "generators", "subjects", "invariants",
       "adapters"}},
-    {"rounding",
-     {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
     {"scenes", {"lib", "support", "oracles", "timing"}},
-    {"league",
-     {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
-      "campaign", "search", "failures"}},
     {"environments",
      {"support", "generators", "budgets", "subjects", "invariants", "adapters", "campaign", "hard_cases"}},
-    {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes"}},
-    {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
+    {"tellings", {"support", "generators", "budgets", "invariants", "campaign", "failures"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
-      "campaign", "search", "hard_cases", "history", "failures", "lattice", "store", "coefficients", "timing",
-      "scenes", "bounds"}},
+      "campaign", "search", "hard_cases", "failures", "store", "timing", "scenes"}},
     {"reports", {"support"}},
-    {"app",
-     {"lib",      "support",    "oracles",      "operations", "conventions",  "generators", "budgets",
-      "subjects", "invariants", "adapters",     "campaign",   "search",       "hard_cases", "history",
-      "failures", "rules",      "lattice",      "store",      "coefficients", "timing",     "rounding",
-      "scenes",   "league",     "environments", "horizons",   "bounds",       "record",     "reports"}},
+    {"app", {"lib",        "support",      "oracles",    "operations", "conventions", "generators",
+             "budgets",    "subjects",     "invariants", "adapters",   "campaign",    "search",
+             "hard_cases", "failures",     "rules",      "store",      "timing",      "scenes",
+             "tellings",   "environments", "record",     "reports"}},
+    // The rooms of lab: no room above may include them.
+    {"bugs", {"oracles", "operations", "budgets", "subjects", "invariants", "campaign"}},
+    {"correct", {"oracles", "operations", "subjects"}},
+    {"history",
+     {"support", "oracles", "operations", "budgets", "subjects", "invariants", "campaign", "hard_cases",
+      "bugs"}},
+    {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
+    {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
+    {"rounding",
+     {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
+    {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes"}},
+    {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
+    {"league",
+     {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
+      "campaign", "search", "failures", "tellings"}},
+    {"results", {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds"}},
+    {"lab_app", {"lib",          "support",  "oracles",    "operations", "conventions", "generators",
+                 "budgets",      "subjects", "invariants", "adapters",   "campaign",    "search",
+                 "hard_cases",   "failures", "store",      "timing",     "tellings",    "record",
+                 "reports",      "app",      "bugs",       "correct",    "history",     "lattice",
+                 "coefficients", "rounding", "horizons",   "bounds",     "league",      "results"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
   const auto at = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.name == name; });
   return at == rooms.end() ? nullptr : &*at;
+}
+
+/// Whether the room stands in lab: below "app" in the list.
+bool is_of_lab(const std::string& room) {
+  return find(harness, room) > find(harness, "app");
 }
 
 /// The folder in `path` after `prefix`; empty if `path` does not start with `prefix` or has no further slash.
@@ -115,11 +129,16 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
   const std::string own = path == "lib/liecheck/liecheck.hpp" ? "liecheck.hpp"
                           : of_library                        ? folder_after("lib/liecheck/", path)
                           : path.rfind("reports/", 0) == 0    ? "reports"
+                          : path.rfind("lab/app/", 0) == 0    ? "lab_app"
+                          : path.rfind("lab/", 0) == 0        ? folder_after("lab/", path)
                                                               : folder_after("properties/", path);
   const Room* room = find(of_library ? library : harness, own);
-  if (!room) return {path + " is in no room of this test"};
+  const bool of_lab = path.rfind("lab/", 0) == 0;
+  if (!room || (path.rfind("properties/", 0) == 0 && is_of_lab(own)) || (of_lab && !is_of_lab(own)))
+    return {path + " is in no room of this test"};
   for (const std::string& include : includes_of(text)) {
     const std::string lib_room = folder_after("liecheck/", include), other = folder_after("", include);
+    if (include.find("lab/") != include.npos && !of_lab) bad.push_back(path + " includes " + include);
     if (lib_room.empty() && !find(harness, other)) continue;  // a header of another project
     const std::string to = of_library ? lib_room : lib_room.empty() ? other : "lib";
     const auto& allowed = room->may_include;
@@ -141,7 +160,7 @@ TEST(Rooms, AreInAnOrderWithoutCycles) {
 }
 
 TEST(Rooms, EveryFileIncludesOnlyWhatItsRoomMay) {
-  const Files files = sources({"lib", "properties", "reports"});
+  const Files files = sources({"lib", "properties", "reports", "lab"});
   EXPECT_GT(files.size(), 200u);
   for (const auto& [path, text] : files)
     for (const std::string& v : violations(path, text)) ADD_FAILURE() << v;
@@ -160,6 +179,13 @@ TEST(Rooms, ForbiddenIncludesAreFound) {
   EXPECT_EQ(count("properties/a.cpp", "support/text.hpp"), 1u);
   EXPECT_EQ(count("properties/elsewhere/a.cpp", "support/text.hpp"), 1u);
   EXPECT_EQ(count("reports/a.cpp", "campaign/campaign.hpp"), 1u);
+  EXPECT_EQ(count("properties/subjects/a.cpp", "bugs/planted_bugs.hpp"), 1u);
+  EXPECT_EQ(count("properties/app/a.cpp", "history/history.hpp"), 1u);
+  EXPECT_EQ(count("properties/app/a.cpp", "../../lab/app/lab_commands.hpp"), 1u);
+  EXPECT_EQ(count("properties/history/a.cpp", "support/text.hpp"), 1u);
+  EXPECT_EQ(count("lab/campaign/a.cpp", "support/text.hpp"), 1u);
+  EXPECT_EQ(count("lab/history/a.cpp", "bugs/planted_bugs.hpp"), 0u);
+  EXPECT_EQ(count("lab/app/a.cpp", "app/command.hpp"), 0u);
   EXPECT_EQ(count("lib/liecheck/spatial/a.hpp", "liecheck/multibody/model.hpp"), 1u);
   EXPECT_EQ(count("lib/liecheck/multibody/a.hpp", "oracles/exp.hpp"), 1u);
   EXPECT_EQ(count("lib/liecheck/scene/a.cpp", "liecheck/urdf/urdf.hpp"), 1u);
@@ -176,7 +202,7 @@ std::vector<std::string> cycles(const Files& files) {
   for (const auto& [path, text] : files)
     for (const std::string& include : includes_of(text))
       for (const std::string& candidate :
-           {"lib/" + include, "properties/" + include, include,
+           {"lib/" + include, "properties/" + include, "lab/" + include, include,
             (fs::path(path).parent_path() / include).lexically_normal().string()})
         if (files.count(candidate) && unit(candidate) != unit(path))
           arrows[unit(path)].insert(unit(candidate));
@@ -203,7 +229,7 @@ std::vector<std::string> cycles(const Files& files) {
 }
 
 TEST(Includes, HaveNoCycle) {
-  for (const std::string& group : cycles(sources({"lib", "properties", "reports"})))
+  for (const std::string& group : cycles(sources({"lib", "properties", "reports", "lab"})))
     ADD_FAILURE() << "these include each other: " << group;
 }
 
@@ -217,8 +243,9 @@ TEST(Includes, ACycleIsFound) {
 }
 
 TEST(TheHarness, HasOnlyFoldersAtItsRoot) {
-  for (const auto& entry : fs::directory_iterator(top() / "properties"))
-    EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "CMakeLists.txt") << entry.path();
+  for (const char* folder : {"properties", "lab"})
+    for (const auto& entry : fs::directory_iterator(top() / folder))
+      EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "CMakeLists.txt") << entry.path();
 }
 
 TEST(Readme, QuotesTheCommandThatContinuousIntegrationRuns) {

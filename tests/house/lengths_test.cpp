@@ -140,7 +140,7 @@ std::vector<std::string> too_long(const std::string& path, const std::string& te
 
 TEST(Lengths, AreWithinTheLimitsOrExplained) {
   int functions = 0;
-  for (const auto& [path, text] : sources({"lib", "properties", "adapters"})) {
+  for (const auto& [path, text] : sources({"lib", "properties", "adapters", "lab"})) {
     functions += static_cast<int>(functions_of(text).size());
     for (const std::string& b : too_long(path, text)) ADD_FAILURE() << b;
   }
@@ -201,7 +201,7 @@ std::vector<std::string> foreign_citations(const std::string& path, const std::s
 }
 
 TEST(Citations, AreOnlyOfDocumentsInTheRepository) {
-  for (const char* folder : {"lib", "properties", "reports", "tests", "fixtures", "adapters", "docs"})
+  for (const char* folder : {"lib", "properties", "lab", "reports", "tests", "fixtures", "adapters", "docs"})
     if (fs::exists(top() / folder))
       for (const auto& entry : fs::recursive_directory_iterator(top() / folder))
         if (entry.is_regular_file())

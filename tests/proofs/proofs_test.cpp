@@ -176,7 +176,7 @@ TYPED_TEST(Proofs, TheAngleOverItsSine) {
     return mul_add(evaluate<InverseSincSeries, 1>(s), s, S(1));
   };
   approximation<TypeParam, InverseSincSeries>(name, inverse_sinc, 0.2, unit);
-  // (h / sin h - 1) / s, which the proofs of whole operations use (properties/bounds).
+  // (h / sin h - 1) / s, which the proofs of whole operations use (lab/bounds).
   approximation<TypeParam, InverseSincSeries, 1>(name + "_rest", inverse_sinc_rest, 13.5, unit);
   evaluations<TypeParam>(name, code, 2, 1.5, unit);
 }

@@ -34,7 +34,7 @@ const std::string& help_of(const std::string& command) {
 /// alternatives are separated by "\\|".
 std::vector<std::string> unknown_flags(const std::string& text) {
   static const std::regex call(
-      "liecheck ((?:(?:adapter|bench|scene|league(?= [a-z])) )?[a-z-]+)([^\n;|`)]*)"),
+      "liecheck ((?:lab )?(?:(?:adapter|scene|league(?= [a-z])) )?[a-z-]+)([^\n;|`)]*)"),
       flag("[ \\[](--[a-z-]+)");
   const std::string calls = replaced(replaced(text, "\\\n", " "), "\\|", " ");
   std::vector<std::string> unknown;
@@ -60,8 +60,8 @@ TEST(Pages, ThatUseUnknownFlagsAreFound) {
       unknown_flags("x\nliecheck campaign --seed 1 --no-such-flag \\\n  --cases 3 --or-this | tee --that\n"),
       (std::vector<std::string>{"campaign --no-such-flag", "campaign --or-this"}));
   EXPECT_EQ(
-      unknown_flags("| `liecheck bench speed [--for 1s \\| --for-each 1s] [--seed N]` | `--not-a-flag` |"),
-      std::vector<std::string>{"bench speed --for"});
+      unknown_flags("| `liecheck lab speed [--for 1s \\| --for-each 1s] [--seed N]` | `--not-a-flag` |"),
+      std::vector<std::string>{"lab speed --for"});
 }
 
 /// The text with each number of three decimals, a time in s, as "#.###".

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <support/text.hpp>
 
@@ -83,32 +84,65 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("--frob", "unknown option '--frob'");
   refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
-  refused(
-      "bench nope",
-      "unknown command 'nope'; commands of bench: batches, bounds, bugs, history, horizons, lattice, limits, "
-      "rounding, speed, wire");
-  refused(
-      "bench",
-      "bench: which one? batches, bounds, bugs, history, horizons, lattice, limits, rounding, speed, wire");
-  refused("league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
-  refused("league --only nope", "--only: unknown library 'nope'; known: ");
-  refused("league nope", "unknown command 'nope'; commands of league: findings, changes, measure, tellings");
-  refused("league measure x --cases 0", "--cases: '0' is not a decimal number");
+  refused("scene nope", "unknown command 'nope'; commands of scene: run, explain, sweep, keys");
+  refused("scene", "scene: which one? run, explain, sweep, keys");
+  refused("lab nope",
+          "unknown command 'nope'; commands: list, campaign, replay, hard-cases, hunt, promise, bugs, ");
+  refused("lab league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
+  refused("lab league --only nope", "--only: unknown library 'nope'; known: ");
+  refused("lab league nope", "unknown command 'nope'; commands of league: findings, changes, measure");
+  refused("lab league measure x --cases 0", "--cases: '0' is not a decimal number");
   store("l.json", "{}");
-  refused("league --record l.json", "l.json: is no record of the league");
-  refused("league changes l.json l.json", "l.json: is no record of the league");
-  refused("league findings none.json --out d", "none.json");
+  refused("lab league --record l.json", "l.json: is no record of the league");
+  refused("lab league changes l.json l.json", "l.json: is no record of the league");
+  refused("lab league findings none.json --out d", "none.json");
   refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a fixed number");
   refused("campaign --subject eigen --scalar float128", "nothing to run");
   refused("report r.json --seed 3", "excludes");
 }
 
+TEST_F(Program, HelpFitsOneScreenWithoutExitCodes) {
+  for (const std::string program : {"", "lab "}) {
+    const std::string help = run(program + "--help").out;
+    std::istringstream lines(help);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100U) << line;
+    EXPECT_GE(count, 20) << help;
+    EXPECT_LE(count, 30) << help;
+    EXPECT_EQ(help.find("xit code "), std::string::npos) << help;
+  }
+  const std::string help = run("--help").out;
+  for (const char* group : {"test your library", "look closer", "in CI", "robots and scenes",
+                            "campaigns on many machines", "laboratory"})
+    EXPECT_NE(help.find("\n" + std::string(group) + "\n"), std::string::npos) << group;
+  EXPECT_NE(run("campaign --help").out.find("Exit code 0 if every error is within its limit"),
+            std::string::npos);
+}
+
+TEST_F(Program, StartsTheLaboratoryBesideItOrSaysHowToBuildIt) {
+  EXPECT_EQ(run("lab --version").out, run("--version").out);
+  EXPECT_EQ(run("lab history --list").code, 0);
+  // The same arguments and exit code.
+  EXPECT_EQ(shell("$L lab limits 'a b'").code, 2);
+  EXPECT_NE(read(dir / "err").find("a b"), std::string::npos) << read(dir / "err");
+  // A subject of the laboratory is tested there.
+  const std::string bug = " --subject bug:exp_nan_at_zero --property exp_oracle --scalar double --cases 50";
+  EXPECT_EQ(run("campaign --no-hard-cases" + bug).code, 1) << read(dir / "err");
+  EXPECT_EQ(run("replay raw.exp_oracle.bug:exp_nan_at_zero.double.none.1,0,0,0,0,0").code, 1);
+  fs::create_hard_link(fs::canonical(LIECHECK_PROGRAM), dir / "liecheck");
+  for (const std::string& command : {std::string("lab history"), "campaign" + bug}) {
+    const Run alone = shell("./liecheck " + command);
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_NE(alone.err.find("--target liecheck-lab"), std::string::npos) << alone.err;
+  }
+}
+
 TEST_F(Program, ASweepRefusesBadArgumentsAndSaysWhichBoundItGives) {
-  refused("sweep --coefficient c9", "--coefficient: unknown coefficient 'c9'; known: c0, c1, ");
-  refused("sweep --coefficient ''", "--coefficient: may not be empty");
-  refused("sweep --stride 0", "--stride: '0'");
-  refused("sweep --json none/s.json", "none/s.json: cannot be written");
-  const Run sample = run("sweep -j 1 --stride 10007 --coefficient c2 --json s.json");
+  refused("lab sweep --coefficient c9", "--coefficient: unknown coefficient 'c9'; known: c0, c1, ");
+  refused("lab sweep --coefficient ''", "--coefficient: may not be empty");
+  refused("lab sweep --stride 0", "--stride: '0'");
+  refused("lab sweep --json none/s.json", "none/s.json: cannot be written");
+  const Run sample = run("lab sweep -j 1 --stride 10007 --coefficient c2 --json s.json");
   EXPECT_EQ(sample.code, 0) << sample.err;
   EXPECT_NE(sample.out.find("a lower bound of the maximum"), std::string::npos);
   EXPECT_EQ(sample.out.find("upper bound"), std::string::npos);
@@ -116,10 +150,10 @@ TEST_F(Program, ASweepRefusesBadArgumentsAndSaysWhichBoundItGives) {
   EXPECT_EQ(record["bound"], "lower");
   EXPECT_TRUE(record["coefficients"][0]["bound_eps"].is_null());
   EXPECT_EQ(record["coefficients"][0]["status"], "sampled");
-  const Run whole = run("sweep -j 1 --coefficient c4_minus_3c5");
+  const Run whole = run("lab sweep -j 1 --coefficient c4_minus_3c5");
   EXPECT_EQ(whole.code, 0) << whole.err;
   EXPECT_NE(whole.out.find("an upper bound of the error in float over every argument"), std::string::npos);
-  EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L sweep -j 1 --coefficient alpha").code, 3);
+  EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L lab sweep -j 1 --coefficient alpha").code, 3);
 }
 
 TEST_F(Program, AHuntAppendsToACorpusAndRefusesAnyOtherFile) {
@@ -179,8 +213,8 @@ TEST_F(Program, CostRefusesBadArgumentsAndRecordsAnInterruptedRun) {
   EXPECT_EQ(nlohmann::json::parse(read(dir / "i.json"))["verdict"], "incomplete");
 }
 
-TEST_F(Program, BenchSpeedPrintsTheRowInWhichItWasStopped) {
-  const Run r = shell("timeout --preserve-status -s INT 1 $L bench speed --for-each 60s --json s.json");
+TEST_F(Program, LabSpeedPrintsTheRowInWhichItWasStopped) {
+  const Run r = shell("timeout --preserve-status -s INT 1 $L lab speed --for-each 60s --json s.json");
   EXPECT_EQ(r.code, 3);
   EXPECT_NE(r.out.find("exp6 double"), std::string::npos) << r.out;
   const auto record = nlohmann::json::parse(read(dir / "s.json"));
@@ -271,9 +305,9 @@ TEST_F(Program, AReportShowsWhatOtherCommandsMeasured) {
   for (const std::string& command :
        {quick + "--subject liecheck --json campaign.json",
         std::string("environments --only up --cases 1 --no-hard-cases --json environments.json"),
-        std::string("bench horizons --steps 64 --paths 1 --json horizons.json"),
-        std::string("bench rounding --inputs 1 --samples 2 --operation exp3_matrix --json rounding.json"),
-        std::string("bench rounding --inputs 1 --samples 2 --subject textbook --operation exp3_matrix "
+        std::string("lab horizons --steps 64 --paths 1 --json horizons.json"),
+        std::string("lab rounding --inputs 1 --samples 2 --operation exp3_matrix --json rounding.json"),
+        std::string("lab rounding --inputs 1 --samples 2 --subject textbook --operation exp3_matrix "
                     "--where 'theta 1e-5..1e-3' --json where.json"),
         std::string(
             "report campaign.json environments.json horizons.json rounding.json where.json --out page")})

@@ -123,8 +123,8 @@ TEST(Record, DefinesEveryOperationAndBlockOfItsResults) {
 TEST(Record, OfCostSweepAndBoundsHasEveryDocumentedFieldAndNoOther) {
   Json whole = record();
   whole["cost"] = written("cost --op exp6 --for 1s");
-  whole["sweep"] = written("sweep --coefficient c2 --stride 1000003 -j 1");
-  whole["bounds"] = written("bench bounds --operation exp6 --boxes 200");
+  whole["sweep"] = written("lab sweep --coefficient c2 --stride 1000003 -j 1");
+  whole["bounds"] = written("lab bounds --operation exp6 --boxes 200");
   EXPECT_NO_THROW(check_record("report.json", whole));
   for (const char* section : {"cost", "sweep", "bounds"})
     expect_agreement(schema()["properties"][section], whole[section]);

@@ -84,7 +84,8 @@ TEST(Terminal, AShellCompletesCommandsFlagsAndNames) {
   EXPECT_EQ(completed("liecheck campaign --subject textb"), " textbook \n");
   EXPECT_EQ(completed("liecheck campaign --subject textbook --property log"), " log_oracle \n");
   EXPECT_EQ(completed("liecheck hunt --op ex"), " exp3_quaternion exp3_matrix exp6 \n");
-  EXPECT_EQ(completed("liecheck bench speed --for"), " --for-each \n");
+  EXPECT_EQ(completed("liecheck scene sweep --no-o"), " --no-orders \n");
+  EXPECT_SAYS(shell("$L lab completion bash").second, "complete -o default -F _liecheck-lab liecheck-lab\n");
   EXPECT_EQ(completed("liecheck robot some_file"), "  \n");  // bash completes files itself
   for (const std::string script : {"bash", "zsh", "fish"}) {
     const auto [code, text] = run("completion " + script);
@@ -119,7 +120,7 @@ TEST(Terminal, FishAndZshCompleteByTheirScripts) {
     EXPECT_EQ(fish("liecheck scene ex"), "explain\n");
     EXPECT_EQ(fish("liecheck campaign --subject textb"), "textbook\n");
     EXPECT_EQ(fish("liecheck hunt --op exp6"), "exp6\n");
-    EXPECT_SAYS(fish("liecheck bench speed --for"), "--for-each\n");
+    EXPECT_SAYS(fish("liecheck scene sweep --no-o"), "--no-orders\n");
   }
   if (shell("command -v zsh").first == 0) {
     ++shells;
@@ -127,7 +128,7 @@ TEST(Terminal, FishAndZshCompleteByTheirScripts) {
     EXPECT_SAYS(zsh("liecheck scene ex", 3), "explain\n");
     EXPECT_SAYS(zsh("liecheck campaign --subject textb", 4), "\ntextbook\n");
     EXPECT_SAYS(zsh("liecheck hunt --op exp6", 4), "exp6\n");
-    EXPECT_SAYS(zsh("liecheck bench speed --for", 4), "--for-each\n");
+    EXPECT_SAYS(zsh("liecheck scene sweep --no-o", 4), "--no-orders\n");
     EXPECT_EQ(zsh("liecheck robot some_file", 3), "files\n");
   }
   if (shells == 0) GTEST_SKIP() << "neither fish nor zsh is installed";

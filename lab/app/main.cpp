@@ -1,0 +1,34 @@
+// The program liecheck-lab: what measures liecheck itself, or exists for its authors.
+
+#include <app/programs.hpp>
+
+#include "lab_commands.hpp"
+
+namespace liecheck::properties {
+namespace {
+
+const Program lab_program_of_authors{
+    "liecheck-lab", "measures liecheck itself, the harness and the field",
+    [](Commands& c, const std::string& typed_line) {
+      const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
+      c.heading("its subjects: known bugs, bugs of real libraries, correct implementations");
+      c.add({list_command, campaign, replay_command, hard_cases_command, hunt_command, promise_command});
+      c.heading("what the laws find, and whom they accuse");
+      c.add({bugs_command, history_command, lattice_command, limits_command});
+      c.heading("liecheck's own errors");
+      c.add({sweep_command, bounds_command, rounding_command, horizons_command});
+      c.heading("speed of the harness");
+      c.add({speed_command, wire_command});
+      c.heading("the field");
+      c.add_with("league", league_command,
+                 {league_findings_command, league_changes_command, league_measure_command});
+      c.heading("");
+      c.add({completion_command});
+    }};
+
+}  // namespace
+}  // namespace liecheck::properties
+
+int main(int argc, char** argv) {
+  return liecheck::properties::run_main(argc, argv, liecheck::properties::lab_program_of_authors);
+}

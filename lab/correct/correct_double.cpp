@@ -1,0 +1,9 @@
+#include <correct/correct.hpp>
+
+namespace liecheck::properties::correct {
+namespace {
+
+const RegisteredStyles<double, long double> in_double;
+
+}  // namespace
+}  // namespace liecheck::properties::correct

@@ -1,0 +1,9 @@
+#include <correct/correct.hpp>
+
+namespace liecheck::properties::correct {
+namespace {
+
+const RegisteredStyles<float, double> in_float;
+
+}  // namespace
+}  // namespace liecheck::properties::correct

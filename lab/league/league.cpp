@@ -1,0 +1,163 @@
+#include <league/league.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <support/files.hpp>
+#include <support/json.hpp>
+#include <tuple>
+
+namespace liecheck::properties::league {
+
+namespace {
+
+using nlohmann::json;
+
+double value(const json& x) {
+  return x.is_number() ? x.get<double>() : std::numeric_limits<double>::infinity();
+}
+
+/// Whether a band of an operation says something about the question.
+bool concerns(const std::string& question, const json& cell, const json& band) {
+  const std::string axis = band["axis"], name = band["band"], operation = cell["operation"];
+  const double low = band["low"], high = band["high"];
+  if (question == "near-zero") return axis == "theta" && high <= 1.5e-3;
+  if (question == "near-pi") return (axis == "pi_minus_theta" && high <= 1.5e-3) || name == "pi";
+  if (question == "1e-8") return axis == "theta" && low <= 1e-8 && 1e-8 <= high;
+  const bool any_norm =
+      operation.ends_with("_any_norm") || operation == "normalize" || operation == "quaternion_matrix";
+  return any_norm == (question == "off-unit");
+}
+
+Answer answer(const json& library, const std::string& scalar, const std::string& question) {
+  Answer a{library["name"], library["version"], library["language"], scalar, "", "", 0, 0, 0};
+  std::uint64_t bad = 0;
+  for (const json& cell : library["cells"]) {
+    if (cell["scalar"] != scalar) continue;
+    bool seen = false;
+    for (const json& band : cell["bands"]) {
+      if (!concerns(question, cell, band)) continue;
+      seen = true;
+      bad += band["bad"].get<std::uint64_t>();
+      const double eps = band["bad"] > 0 ? std::numeric_limits<double>::infinity() : value(band["eps"]);
+      if (eps > a.eps || a.worst_operation.empty())
+        a.eps = std::max(a.eps, eps), a.worst_operation = cell["operation"];
+    }
+    if (seen) ++a.operations, a.ns += cell["ns"].get<double>();
+  }
+  if (a.operations > 0) a.ns /= a.operations;
+  a.grade = bad ? "F" : a.eps <= 64 ? "A" : a.eps <= 1e4 ? "B" : a.eps <= 1e8 ? "C" : "D";
+  return a;
+}
+
+const json* cell_of(const json& library, const json& like) {
+  for (const json& cell : library["cells"])
+    if (cell["operation"] == like["operation"] && cell["scalar"] == like["scalar"]) return &cell;
+  return nullptr;
+}
+
+const json* library_of(const json& record, const json& name) {
+  for (const json& library : record["libraries"])
+    if (library["name"] == name) return &library;
+  return nullptr;
+}
+
+/// "F (12 cases without a right result)" or "B (812 eps)"
+std::string standing(const json& cell) {
+  return fmt::format("{} ({})", cell["grade"].get<std::string>(),
+                     cell["grade"] == "F" ? "NaN, wrong branch or no result"
+                                          : fmt::format("{:.3g} eps", value(cell["worst_eps"])));
+}
+
+}  // namespace
+
+std::string built_in_roster() {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() /
+          "adapters/league.json")
+      .string();
+}
+
+std::vector<Entry> read_roster(const std::string& file) {
+  std::vector<Entry> all;
+  try {
+    for (const json& e : parsed(read_whole(file)))
+      all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
+                     e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
+                     e.value("limits", "")});
+  } catch (const json::exception& e) {
+    throw std::invalid_argument(fmt::format("{}: is not a list of adapters: {}", file, e.what()));
+  }
+  return all;
+}
+
+json read_league(const std::string& file) {
+  json record;
+  try {
+    record = parsed(read_whole(file));
+  } catch (const json::exception& e) {
+    throw std::invalid_argument(fmt::format("{}: is not JSON: {}", file, e.what()));
+  }
+  if (!record.is_object() || record.value("league", 0) != 1 || !record.contains("libraries"))
+    throw std::invalid_argument(
+        fmt::format("{}: is no record of the league, which `liecheck lab league --record` writes", file));
+  return record;
+}
+
+std::vector<Answer> answers(const json& record, const std::string& question) {
+  std::vector<Answer> all;
+  for (const json& library : record["libraries"])
+    for (const char* scalar : {"double", "float"})
+      if (Answer a = answer(library, scalar, question); a.operations > 0) all.push_back(a);
+  std::ranges::sort(all, [&](const Answer& a, const Answer& b) {
+    if (question == "1kHz")
+      return std::tuple(a.grade == "F", a.ns, a.library) < std::tuple(b.grade == "F", b.ns, b.library);
+    return std::tuple(a.grade, a.eps, a.library) < std::tuple(b.grade, b.eps, b.library);
+  });
+  return all;
+}
+
+std::string changes(const json& before, const json& after) {
+  std::string text = fmt::format("# What changed between {} and {}\n\n", before["date"].get<std::string>(),
+                                 after["date"].get<std::string>());
+  for (const json& library : after["libraries"]) {
+    const json* const old = library_of(before, library["name"]);
+    const std::string name = library["name"], version = library["version"];
+    if (!old) {
+      text += fmt::format("## {} {}\n\nThe earlier record does not have it.\n\n", name, version);
+      continue;
+    }
+    std::string lines;
+    for (const json& cell : library["cells"]) {
+      const std::string what = fmt::format("- {} in {}: ", cell["operation"].get<std::string>(),
+                                           cell["scalar"].get<std::string>());
+      const json* const was = cell_of(*old, cell);
+      if (!was)
+        lines += what + "newly offered, " + standing(cell) + "\n";
+      else if ((*was)["grade"] != cell["grade"])
+        lines += fmt::format("{}{} became {}\n", what, standing(*was), standing(cell));
+      else if (const double a = value((*was)["worst_eps"]), b = value(cell["worst_eps"]);
+               std::max(a, b) > 64 && std::max(a, b) > 2 * std::min(a, b))
+        lines += fmt::format("{}{:.3g} eps became {:.3g} eps\n", what, a, b);
+    }
+    for (const json& cell : (*old)["cells"])
+      if (!cell_of(library, cell))
+        lines += fmt::format("- {} in {}: no longer offered\n", cell["operation"].get<std::string>(),
+                             cell["scalar"].get<std::string>());
+    const std::string was = (*old)["version"];
+    if (was != version || !lines.empty())
+      text += fmt::format(
+          "## {} {} → {}\n\n{}\n", name, was, version,
+          lines.empty() ? "No grade changed, and no error by more than a factor of two.\n" : lines);
+  }
+  for (const json& library : before["libraries"])
+    if (!library_of(after, library["name"]))
+      text +=
+          fmt::format("## {}\n\nThe later record does not have it.\n\n", library["name"].get<std::string>());
+  if (text.find("## ") == text.npos) text += "Nothing.\n";
+  return text;
+}
+
+}  // namespace liecheck::properties::league

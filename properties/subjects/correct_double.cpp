@@ -1,9 +1,0 @@
-#include <subjects/correct.hpp>
-
-namespace liecheck::properties::correct {
-namespace {
-
-const RegisteredStyles<double, long double> in_double;
-
-}  // namespace
-}  // namespace liecheck::properties::correct

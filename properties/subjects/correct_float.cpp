@@ -1,9 +1,0 @@
-#include <subjects/correct.hpp>
-
-namespace liecheck::properties::correct {
-namespace {
-
-const RegisteredStyles<float, double> in_float;
-
-}  // namespace
-}  // namespace liecheck::properties::correct

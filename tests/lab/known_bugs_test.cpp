@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <bugs/known_bugs.hpp>
+#include <bugs/weak_tests.hpp>
+#include <set>
+
+namespace liecheck::properties {
+namespace {
+
+bool is_alike(const KnownBug& b) {
+  return b.name.rfind("alike:", 0) == 0;
+}
+
+TEST(KnownBugs, AreAtLeastFortyWithTenLookAlikesAndAllStateTheirOrigin) {
+  std::set<std::string> names;
+  for (const KnownBug& b : known_bug_table()) {
+    EXPECT_TRUE(names.insert(b.name).second) << b.name;
+    EXPECT_FALSE(b.fault.empty() || b.origin.empty()) << b.name;
+  }
+  const auto alikes = std::count_if(known_bug_table().begin(), known_bug_table().end(), is_alike);
+  EXPECT_GE(alikes, 10);
+  EXPECT_GE(static_cast<std::ptrdiff_t>(known_bug_table().size()) - alikes, 40);
+}
+
+TEST(KnownBugs, AreSubjectsInFloatAndDouble) {
+  const auto in_float = subjects<float>();
+  const auto in_double = subjects<double>();
+  for (const KnownBug& b : known_bug_table()) {
+    EXPECT_EQ(std::count_if(in_float.begin(), in_float.end(), [&](auto* s) { return s->name == b.name; }), 1);
+    EXPECT_EQ(std::count_if(in_double.begin(), in_double.end(), [&](auto* s) { return s->name == b.name; }),
+              1);
+  }
+}
+
+TEST(WeakStyles, PassTheLibraryAndKillSomeBugsButNotAll) {
+  const Subject<double>* own = nullptr;
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck") own = s;
+  ASSERT_NE(own, nullptr);
+  for (const WeakStyle& style : weak_styles()) {
+    EXPECT_FALSE(style.kills(own->operations)) << style.name;
+    int killed = 0, survived = 0;
+    for (const auto* s : subjects<double>())
+      if (s->name.rfind("bug:", 0) == 0) (style.kills(s->operations) ? killed : survived) += 1;
+    EXPECT_GT(killed, 0) << style.name;
+    EXPECT_GT(survived, 0) << style.name;
+  }
+}
+
+}  // namespace
+}  // namespace liecheck::properties
