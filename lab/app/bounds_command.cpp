@@ -113,12 +113,13 @@ int run(const Flags& f) {
 }  // namespace
 
 Command bounds_command(CLI::App& lab) {
-  CommandWith<Flags> a(lab, "bounds",
-                       "prove upper bounds of the errors of whole operations of liecheck in double, beside "
-                       "the largest errors that "
-                       "searches found. Exit code 0 if they agree; 1 if a search found more, or a claim is "
-                       "not proved; 2 for bad "
-                       "input; 3 if stopped, or if the boxes are too few for a bound");
+  CommandWith<Flags> a(
+      lab, "bounds",
+      "prove upper bounds of the errors of whole operations. They hold for liecheck in double, "
+      "and stand beside the largest errors that searches found. Exit code 0 if they agree; 1 if a search "
+      "found more, or a claim is "
+      "not proved; 2 for bad "
+      "input; 3 if stopped, or if the boxes are too few for a bound");
   a.list("--operation", a->options.operations, "OP",
          "an operation that has a proof, repeatable; default all");
   a.number("--boxes", a->options.boxes, 1, 20'000'000,

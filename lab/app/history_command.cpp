@@ -82,7 +82,7 @@ int run(const Flags& f) {
 Command history_command(CLI::App& lab) {
   CommandWith<Flags> a(
       lab, "history",
-      "measure how soon the laws find bugs that were reported against real libraries, and check that the "
+      "measure how soon the laws find bugs that were reported against real libraries. Check that the "
       "repaired forms and the controls pass. Exit code 0 if so; 1 if a bug is not found or a "
       "repaired form fails; 2 for bad input; 3 if stopped, or if a case has no verdict");
   HistoryBench& b = a->bench;

@@ -116,11 +116,11 @@ int run(const Flags& f) {
 }  // namespace
 
 Command horizons_command(CLI::App& lab) {
-  CommandWith<Flags> a(
-      lab, "horizons",
-      "long horizons: the drift of norm and attitude over many calls of integrate, of products with a "
-      "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
-      "liecheck keeps what docs/horizons.md says; 1 if not; 2 for bad input; 3 if stopped");
+  CommandWith<Flags> a(lab, "horizons",
+                       "measure the drift over many calls: the drift of norm and attitude over many calls of "
+                       "integrate, of products with a "
+                       "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
+                       "liecheck keeps what docs/horizons.md says; 1 if not; 2 for bad input; 3 if stopped");
   a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
   a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");
   a.list("--walk", a->walks, "WALK",

@@ -106,8 +106,8 @@ int run(const Flags& f) {
 Command lattice_command(CLI::App& lab) {
   CommandWith<Flags> a(
       lab, "lattice",
-      "plant thousands of small faults in correct subjects, each active only under a "
-      "condition on the arguments, and count the cases until a law finds it. Exit code 0 if "
+      "plant thousands of small faults in correct subjects. Each is active only under a "
+      "condition on the arguments; count the cases until a law finds it. Exit code 0 if "
       "99 % of those whose condition holds in 1 % of the cases are found within 1000 cases; 1 "
       "otherwise; 2 for bad input; 3 if stopped");
   LatticeOptions& o = a->options;

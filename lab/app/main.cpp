@@ -12,7 +12,8 @@ const Program lab_program_of_authors{
     [](Commands& c, const std::string& typed_line) {
       const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
       c.heading("its subjects: known bugs, bugs of real libraries, correct implementations");
-      c.add({list_command, campaign, replay_command, hard_cases_command, hunt_command, promise_command});
+      c.add({list_command, campaign, replay_command, hard_cases_command, hunt_command, promise_command,
+             completion_command});
       c.heading("what the laws find, and whom they accuse");
       c.add({bugs_command, history_command, lattice_command, limits_command});
       c.heading("liecheck's own errors");
@@ -22,8 +23,6 @@ const Program lab_program_of_authors{
       c.heading("the field");
       c.add_with("league", league_command,
                  {league_findings_command, league_changes_command, league_measure_command});
-      c.heading("");
-      c.add({completion_command});
     }};
 
 }  // namespace

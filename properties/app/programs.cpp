@@ -10,7 +10,7 @@ const Program liecheck_program{
       c.add({list_command});
       c.add_group("adapter", "check the adapter of a library from outside: docs/adapters.md",
                   {adapter_check_command, adapter_serve_command, adapter_tellings_command});
-      c.add({campaign, replay_command, report_command});
+      c.add({campaign, replay_command, report_command, completion_command});
       c.heading("look closer");
       c.add({hard_cases_command, hunt_command, cost_command, environments_command});
       c.heading("in CI");
@@ -23,8 +23,6 @@ const Program liecheck_program{
       c.add({merge_command, export_command});
       c.heading("laboratory");
       c.add({lab_command});
-      c.heading("");
-      c.add({completion_command});
     }};
 
 }  // namespace liecheck::properties
