@@ -151,7 +151,7 @@ TEST(Limits, NeedsCountEveryConditionNumber) {
 
 using O = Operations<double>;
 
-const O& own() {
+const O& liecheck_itself() {
   for (const auto* s : subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
@@ -160,21 +160,25 @@ O::V3 flipped(const O::V3& phi) {
   return -(2 * M_PI / phi.norm() - 1) * phi;
 }
 O::V6 flipped(const O::V6& xi) {
-  const O::V3 phi = flipped(O::V3(xi.tail<3>())), p = own()[op::exp6](xi).p;
-  return (O::V6() << own()[op::left_jacobian3_inverse](phi) * p, phi).finished();
+  const O::V3 phi = flipped(O::V3(xi.tail<3>())), p = liecheck_itself()[op::exp6](xi).p;
+  return (O::V6() << liecheck_itself()[op::left_jacobian3_inverse](phi) * p, phi).finished();
 }
 const Subject<double>& other_side() {
   static const Subject<double> subject = [] {
     Subject<double> s{"other_side", "", {}};
     O& o = s.operations;
-    o[op::log3_quaternion] = [](const O::V4& Q) { return flipped(own()[op::log3_quaternion](Q)); };
-    o[op::log6] = [](const Pose<double>& X) { return flipped(own()[op::log6](X)); };
-    o[op::difference] = [](const O::V7& a, const O::V7& b) { return flipped(own()[op::difference](a, b)); };
+    o[op::log3_quaternion] = [](const O::V4& Q) {
+      return flipped(liecheck_itself()[op::log3_quaternion](Q));
+    };
+    o[op::log6] = [](const Pose<double>& X) { return flipped(liecheck_itself()[op::log6](X)); };
+    o[op::difference] = [](const O::V7& a, const O::V7& b) {
+      return flipped(liecheck_itself()[op::difference](a, b));
+    };
     o[op::d_difference_arg0] = [](const O::V7& a, const O::V7& b) -> O::M6 {
-      return -own()[op::left_jacobian6_inverse](flipped(own()[op::difference](a, b)));
+      return -liecheck_itself()[op::left_jacobian6_inverse](flipped(liecheck_itself()[op::difference](a, b)));
     };
     o[op::d_difference_arg1] = [](const O::V7& a, const O::V7& b) {
-      return own()[op::right_jacobian6_inverse](flipped(own()[op::difference](a, b)));
+      return liecheck_itself()[op::right_jacobian6_inverse](flipped(liecheck_itself()[op::difference](a, b)));
     };
     return s;
   }();

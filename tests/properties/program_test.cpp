@@ -86,8 +86,9 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
   refused("scene nope", "unknown command 'nope'; commands of scene: run, explain, sweep, keys");
   refused("scene", "scene: which one? run, explain, sweep, keys");
-  refused("lab nope",
-          "unknown command 'nope'; commands: list, campaign, replay, hard-cases, hunt, promise, bugs, ");
+  refused(
+      "lab nope",
+      "unknown command 'nope'; commands: list, campaign, replay, hard-cases, hunt, promise, completion, ");
   refused("lab league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
   refused("lab league --only nope", "--only: unknown library 'nope'; known: ");
   refused("lab league nope", "unknown command 'nope'; commands of league: findings, changes, measure");
