@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <campaign/campaign.hpp>
+#include <campaign/cliffs.hpp>
 #include <campaign/expected.hpp>
 #include <cmath>
 #include <filesystem>
@@ -199,6 +200,15 @@ TEST_F(Promises, AreTheSameForEachCommandOfTheProgram) {
 
 const char* const translation_expected =
     "[expected]\nexp6, translation, any = too long, by thirty eps, https://issues/1\n";
+
+TEST(Profiles, FindNoCliffInASubjectThatIsInaccurateEverywhere) {
+  CampaignOptions o;
+  o.selection = {{"promises:million"}, {"exp_oracle"}, {"double"}};
+  o.selection.profiles[""] = Profile::half;
+  o.cases = 8000, o.jobs = 2, o.quiet = true;
+  for (const auto& [series, tally] : run_campaign(o, built_in_robot()).series)
+    EXPECT_EQ(cliffs_of(*series, tally).size(), 0u) << series->subject;
+}
 
 TEST(ExpectedFailures, AreNoneOfTheVerdictAndAreSaid) {
   EXPECT_TRUE(run("promises:thirty", Profile::ours).failed);
