@@ -139,31 +139,6 @@ TEST(Probe, FindsNothingIfTheConventionsAreStated) {
   }
 }
 
-/// Other tests register wrong subjects.
-bool correct_name(const std::string& name) {
-  for (const char* start : {"liecheck", "correct:", "alike:", "textbook", "ceres", "eigen", "manif",
-                            "pinocchio", "smooth", "sophus"})
-    if (name.starts_with(start)) return true;
-  return false;
-}
-
-template <class S>
-void expect_nothing_of_correct_subjects() {
-  int probed = 0;
-  for (const Subject<S>* s : subjects<S>()) {
-    if (!correct_name(s->name)) continue;
-    const Library l = library<S>(s->operations);
-    probed += !l.empty();
-    EXPECT_EQ(findings<S>(l), "") << s->name;
-  }
-  EXPECT_GT(probed, 20);
-}
-
-TEST(Probe, FindsNothingInCorrectSubjects) {
-  expect_nothing_of_correct_subjects<double>();
-  expect_nothing_of_correct_subjects<float>();
-}
-
 TEST(Probe, NamesOneOperationThatDiffersFromTheOthers) {
   Library l = correct();
   l["log6"] = [f = l["log6"]](const Numbers& x) {
