@@ -76,8 +76,8 @@ struct Scopes {
 /// Why a log does not measure a build, or "": every object of the build and the reference must have been compiled.
 inline std::string gap(const std::map<std::string, Compilation>& log, const Scopes& scopes) {
   if (scopes.program.empty() || scopes.report.empty()) return "the program has no objects";
-  if (std::ranges::none_of(log, [](const auto& c) { return is_reference(c.first); }))
-    return "the reference is not in the log";
+  const auto measures = [](const auto& c) { return is_reference(c.first) && !c.second.from_ccache; };
+  if (std::ranges::none_of(log, measures)) return "the reference is not in the log, or came from ccache";
   std::size_t absent = 0, cached = 0;
   std::string example;
   for (const std::string& object : scopes.everything) {

@@ -17,7 +17,7 @@ std::map<std::string, double> budget() {
   return limits_in(file);
 }
 
-/// The objects of C++ that a target of Ninja is made of.
+/// The objects of C++ that are linked into a target of Ninja. It does not list those of the reference, which nothing links.
 std::set<std::string> objects_of(const std::string& target) {
   std::set<std::string> all;
   FILE* const out =
@@ -125,8 +125,8 @@ TEST(BuildTimes, OfAnIncompleteLogAreNotJudged) {
   EXPECT_EQ(gap(log, example.scopes),
             "1 of 5 objects are not in the log and 0 came from ccache, for example " + two);
   log = example.log();
-  log.erase("r/CMakeFiles/reference.dir/reference.cpp.o");
-  EXPECT_EQ(gap(log, example.scopes), "the reference is not in the log");
+  log["r/CMakeFiles/reference.dir/reference.cpp.o"].from_ccache = true;
+  EXPECT_EQ(gap(log, example.scopes), "the reference is not in the log, or came from ccache");
   std::istringstream wrong("12 of something\n");
   EXPECT_THROW(compilations_in(wrong), std::runtime_error);
 }
