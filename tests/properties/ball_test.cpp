@@ -5,6 +5,8 @@
 #include <oracles/closed_forms.hpp>
 #include <random>
 
+#include "../sample.hpp"
+
 namespace liecheck::oracles {
 namespace {
 
@@ -33,7 +35,7 @@ using BallNumbers = testing::Types<DoubleBall, DoubleDoubleBall>;
 TYPED_TEST_SUITE(BallTest, BallNumbers);
 
 TYPED_TEST(AnyBall, OperationsContainTheExactResult) {
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < sample(2000, 20000); ++i) {
     const double a = this->number(120), b = this->number(120), c = this->number(3);
     const Real100 A(a), B(b), C(c);
     const TypeParam third = TypeParam(c) / TypeParam(3);
@@ -60,7 +62,7 @@ TEST(RealBall, ItsHeadIsItsMidpointRoundedToDouble) {
 }
 
 TYPED_TEST(AnyBall, SineAndCosineContainTheExactResultWithinSixteenRoundings) {
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < sample(2000, 20000); ++i) {
     const double x = i % 2 ? this->number(4) : this->number(20) * 1e-18;
     TypeParam s, c;
     sin_cos(TypeParam(x), s, c);
@@ -71,7 +73,7 @@ TYPED_TEST(AnyBall, SineAndCosineContainTheExactResultWithinSixteenRoundings) {
 }
 
 TYPED_TEST(BallTest, StumpffSeriesContainTheClosedForm) {
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < sample(500, 5000); ++i) {
     const double x = std::uniform_real_distribution<double>(1e-6, 1)(this->random_);
     const Real X(x), t = sqrt(X);
     const Real c4 = (Real(1) / 2 - (1 - cos(t)) / X) / X, c5 = (Real(1) / 6 - (1 - sin(t) / t) / X) / X;
@@ -85,7 +87,7 @@ TYPED_TEST(BallTest, ClosedFormsContainThoseAtAHundredDigits) {
     for (std::size_t i = 0; i < ball.x.size(); ++i)
       EXPECT_LE(share(ball.x[i], Real(exact.x[i])), 1) << what << i << " " << ball.x[i].head();
   };
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < sample(300, 3000); ++i) {
     Vec6<TypeParam> xi;
     const double scale = this->number(i % 3 == 0 ? 40 : 1);
     for (int k = 0; k < 6; ++k) xi[k] = TypeParam(this->number(1) * (k < 3 ? 1 : scale));
@@ -108,7 +110,7 @@ TYPED_TEST(BallTest, ClosedFormsContainThoseAtAHundredDigits) {
 }
 
 TYPED_TEST(BallTest, APolarFactorContainsTheOneAtAHundredDigits) {
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < sample(200, 2000); ++i) {
     Vec3<TypeParam> phi;
     for (int k = 0; k < 3; ++k) phi[k] = TypeParam(this->number(i % 2 ? 0.4 : 8) * (i % 2 ? 1 : 1e-8));
     const Mat3<TypeParam> R = rotation_matrix(closed_exp(stack(zero_vector<3, TypeParam>(), phi)).Q);

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "../lib/count_allocations.hpp"
+#include "../sample.hpp"
 #include "bodies.hpp"
 
 namespace {
@@ -47,8 +46,10 @@ TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesALoneBody) {
   Body body(m, gravity());
   scene::Tree<double> tree(m, gravity());
   const auto gap = [&](long steps) {
-    const auto a = after(body, info.name, neutral(m), start_v, 1, steps, std::numeric_limits<double>::infinity());
-    const auto b = after(tree, info.name, neutral(m), start_v, 1, steps, std::numeric_limits<double>::infinity());
+    const auto a =
+        after(body, info.name, neutral(m), start_v, 1, steps, std::numeric_limits<double>::infinity());
+    const auto b =
+        after(tree, info.name, neutral(m), start_v, 1, steps, std::numeric_limits<double>::infinity());
     return difference(m, a.q, b.q).norm() + (a.v - b.v).norm();
   };
   // Rounding: the two systems compute the acceleration by different formulas, 64 eps are allowed for each step.
@@ -57,7 +58,8 @@ TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesALoneBody) {
   if (fine > 64 * eps<double>() * 2 * double(few)) {
     EXPECT_NEAR(std::log2(coarse / fine), info.order, info.order == 12 ? 1.5 : 0.3);
   }
-  EXPECT_LE(gap(few << 4), std::max(2 * coarse * std::pow(16., -info.order), 64 * eps<double>() * double(few << 4)));
+  EXPECT_LE(gap(few << 4),
+            std::max(2 * coarse * std::pow(16., -info.order), 64 * eps<double>() * double(few << 4)));
 }
 
 TEST_P(EachMethod, KeepsQuaternionsAtUnitNorm) {
@@ -128,9 +130,8 @@ TEST(Methods, AnUnknownNameIsRefusedWithTheNearestNames) {
   }
 }
 
-/// Makes 10^6 steps; the ctest `scene_long` makes 10^7.
 TEST(Variational, KeepsTheMomentumVectorAndTheEnergyWithoutDrift) {
-  const long n = std::getenv("LIECHECK_STEPS") ? std::atol(std::getenv("LIECHECK_STEPS")) : 1'000'000;
+  const long n = liecheck::sample(1'000'000L, 10'000'000L);
   Body body(freeBody(awkward()));
   const Inertia<double> I = awkward();
   State<Body> state(body, neutral(body.model()), start_v);
@@ -188,7 +189,8 @@ TEST(Variational, AFailedStepLeavesTheStateUnchanged) {
   for (const std::string drag : {"linear: 4", "quadratic: 100"}) {
     const scene::Scene s = loadSceneText(
         "robot: {body: ball, radius: 1}\nintegrator: {name: variational, step: 1 s}\nduration: 1 s\n"
-        "effects: [drag: {frame: body, " + drag + "}]\n");
+        "effects: [drag: {frame: body, " +
+        drag + "}]\n");
     auto body = scene::makeSystem<Body>(s);
     const State<Body> start(body, s.q, start_v);
     State<Body> state = start;
