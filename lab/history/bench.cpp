@@ -39,7 +39,7 @@ std::vector<const HistoricBug*> history_rows(const std::vector<std::string>& nam
   for (const std::string& name : names)
     if (std::ranges::none_of(all, [&](auto* b) { return b->name == name; }))
       throw std::invalid_argument(
-          fmt::format("bench history: unknown name '{}'; fixtures/history/README.md lists them", name));
+          fmt::format("history: unknown name '{}'; fixtures/history/README.md lists them", name));
   return all;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Results of `liecheck bench` as records: how soon known bugs are found, and how many cases run per second.
+// Results of the laboratory as records: how soon known bugs are found, and how many cases run per second.
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>

@@ -118,7 +118,10 @@ fs::path run_campaign_of_report(const Flags& f) {
           "built\n");
     const auto measured = [&](const char* key, std::vector<std::string> arguments) {
       arguments.insert(arguments.end(), {"--jobs", std::to_string(f.cases.options.jobs)});
-      add_part(record, key, record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json"));
+      const nlohmann::json part = record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json");
+      if (part.is_null() && !stop_requested)
+        warn(fmt::format("the report has no part '{}': liecheck-lab ended without a record of it\n", key));
+      add_part(record, key, part);
     };
     if (lab) add(" during the sweep", [&] { measured("sweep", {"sweep"}); });
     if (lab) add(" during the proofs", [&] { measured("bounds", {"bounds", "--boxes", "30000"}); });

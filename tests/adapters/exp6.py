@@ -1,4 +1,4 @@
-"""exp6 of the library as an adapter in Python with NumPy: exp6.py LIBRARY, where the C function is. For bench wire."""
+"""exp6 of the library as an adapter in Python with NumPy: exp6.py LIBRARY, where the C function is. For lab wire."""
 import ctypes
 import json
 import sys

@@ -17,7 +17,7 @@
 // The error has no jump, since no threshold is at small angles: the number of terms follows from the scalar's digits.
 // The only branch is at theta = pi, beyond which sines are as accurate. d c_k / dx = (k c_{k+2} - c_{k+1}) / 2.
 //
-// The error bounds below are verified in float at every argument (`liecheck sweep`; x.low = 0, cosine = 1). Those of the
+// The error bounds below are verified in float at every argument (`liecheck lab sweep`; x.low = 0, cosine = 1). Those of the
 // polynomials are proved in float and double (tests/proofs). For wider scalars only random arguments are tested.
 
 #include <array>
