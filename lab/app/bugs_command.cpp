@@ -72,7 +72,7 @@ int run(const Flags& f) {
   const Robot robot = f.robot.read();
   stop_on_signals();
   BugBench bench = f.bench;
-  const auto tested = subjects<double>();
+  const auto tested = typed_subjects<double>();
   print_header();
   for (const KnownBug& known : known_bug_table()) {
     if (stop_requested) break;

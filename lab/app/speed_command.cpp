@@ -65,7 +65,7 @@ struct Chunks {
 
 /// Tests exp6 as a careful author does with RapidCheck: with the law's generator and budgets and the closed
 /// form at 50 digits, up to theta = pi, where budgets need no condition number. `falsified` counts failures.
-std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, int& falsified) {
+std::uint64_t check_exp6(const TypedSubject<double>& subject, std::uint64_t cases, int& falsified) {
   static const bool configured = [cases] {
     return setenv("RC_PARAMS", fmt::format("max_success={} seed=42", cases).c_str(), 1) == 0;
   }();
@@ -95,7 +95,7 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
 class Bench {
  public:
   explicit Bench(const Flags& f) : f_(f), robot_(built_in_robot()) {
-    const auto tested = subjects<double>();
+    const auto tested = typed_subjects<double>();
     only_exp6_ =
         **std::find_if(tested.begin(), tested.end(), [](const auto* s) { return s->name == "liecheck"; });
     const auto operation = only_exp6_.operations[op::exp6];
@@ -172,7 +172,7 @@ class Bench {
 
   const Flags& f_;
   Robot robot_;
-  Subject<double> only_exp6_;
+  TypedSubject<double> only_exp6_;
   std::unique_ptr<Series> exp6_;
   std::vector<std::unique_ptr<Series>> laws_;
   std::vector<Timed> rows_;

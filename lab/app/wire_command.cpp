@@ -4,7 +4,7 @@
 #include <atomic>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <chrono>
 #include <results/bench.hpp>
 #include <support/progress.hpp>
@@ -35,12 +35,12 @@ struct Row {
 };
 
 Row row_of(const std::string& name, const std::string& subject) {
-  const auto all = subjects<double>();
+  const auto all = typed_subjects<double>();
   const auto own = std::ranges::find(all, subject, [](const auto* s) { return s->name; });
   if (own == all.end() || !(*own)->operations[op::exp6])
     throw std::invalid_argument(fmt::format("'{}' offers no exp6 in double", name));
   auto* const only_exp6 =
-      new Subject<double>{(*own)->name, (*own)->version, {}, (*own)->adapter};  // to the end
+      new TypedSubject<double>{(*own)->name, (*own)->version, {}, (*own)->adapter};  // to the end
   only_exp6->operations[op::exp6] = (*own)->operations[op::exp6];
   return {name, series_of("exp_oracle", *only_exp6, built_in_robot())};
 }
@@ -53,7 +53,7 @@ double rate(const Flags& f, Row& row, std::uint64_t round) {
   run_on_threads(f.jobs, stop_requested, [&] {
     std::uint64_t next = (round * f.jobs + next_thread++) * far;
     Tally tally;
-    const auto& series = dynamic_cast<const TypedSeries<double>&>(*row.series);
+    const auto& series = *row.series;
     next = series.run(f.seed, {next, next + 2}, tally, stop_requested);
     const auto begin = Clock::now();
     const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };

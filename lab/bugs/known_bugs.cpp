@@ -29,14 +29,14 @@ const std::vector<BugKind<S>>& kinds() {
 }  // namespace
 
 template <class S>
-std::vector<Subject<S>> known_bugs(const Operations<S>& good) {
+std::vector<TypedSubject<S>> known_bugs(const TypedOperations<S>& good) {
   Bugs<S>::good() = good;
-  std::vector<Subject<S>> all;
+  std::vector<TypedSubject<S>> all;
   for (const BugKind<S>& kind : kinds<S>())
     for (const auto& group : kind.groups)
       for (const auto& entry : group) {
-        Subject<S>& subject =
-            all.emplace_back(Subject<S>{kind.prefix + std::string(entry.name), kind.version, good});
+        TypedSubject<S>& subject =
+            all.emplace_back(TypedSubject<S>{kind.prefix + std::string(entry.name), kind.version, good});
         subject.operations.tree = nullptr;  // only bugs of trees have a faulty `tree`
         entry.plant(subject.operations);
       }
@@ -55,8 +55,8 @@ const std::vector<KnownBug>& known_bug_table() {
   return table;
 }
 
-template std::vector<Subject<float>> known_bugs(const Operations<float>&);
-template std::vector<Subject<double>> known_bugs(const Operations<double>&);
+template std::vector<TypedSubject<float>> known_bugs(const TypedOperations<float>&);
+template std::vector<TypedSubject<double>> known_bugs(const TypedOperations<double>&);
 
 namespace {
 

@@ -4,7 +4,7 @@
 // `--subject all` selects neither of them; they run only if they are named.
 
 #include <string>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <vector>
 
 namespace liecheck::properties {
@@ -17,7 +17,7 @@ struct KnownBug {
 
 /// All known bugs and look-alikes, made from copies of `good`.
 template <class S>
-std::vector<Subject<S>> known_bugs(const Operations<S>& good);
+std::vector<TypedSubject<S>> known_bugs(const TypedOperations<S>& good);
 const std::vector<KnownBug>& known_bug_table();
 
 }  // namespace liecheck::properties

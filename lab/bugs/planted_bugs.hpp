@@ -11,7 +11,7 @@ namespace liecheck::properties {
 
 template <class S>
 struct Bugs : Types<S> {
-  using O = Operations<S>;
+  using O = TypedOperations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
   using M76 = Mat<S, 7, 6>;

@@ -8,8 +8,8 @@ namespace {
 
 /// The subject has only liecheck's algorithms on trees, changed by `plant`.
 template <class S>
-std::function<void(Operations<S>&)> on_trees(void (*plant)(TreeOperations<S>&, const Tree<S>&)) {
-  return [plant](Operations<S>& o) {
+std::function<void(TypedOperations<S>&)> on_trees(void (*plant)(TreeOperations<S>&, const Tree<S>&)) {
+  return [plant](TypedOperations<S>& o) {
     o = {};
     o.tree = [plant](const Tree<S>& tree) {
       TreeOperations<S> faulty = liecheck_tree<S>(tree);

@@ -7,7 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 using V3 = Vec<double, 3>;
 using V4 = Vec<double, 4>;
 using V6 = Vec<double, 6>;

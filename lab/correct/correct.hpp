@@ -323,8 +323,8 @@ struct Correct : Types<S> {
 
   using Style6 = Basics<void, S>;
 
-  static Subject<S> make(const char* name, const char* version) {
-    Subject<S> s{std::string("correct:") + name, version, {}};
+  static TypedSubject<S> make(const char* name, const char* version) {
+    TypedSubject<S> s{std::string("correct:") + name, version, {}};
     auto& o = s.operations;
 #define LIECHECK_OFFER(operation) o[op::operation] = operation
     LIECHECK_OFFER(exp3_quaternion), LIECHECK_OFFER(exp3_matrix), LIECHECK_OFFER(log3_quaternion);

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <correct/correct_coefficients.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::correct {
 

@@ -6,8 +6,8 @@ namespace liecheck::properties::correct {
 namespace {
 
 template <class S, template <class> class Of>
-Subject<S> subject(const char* name, const char* version) {
-  Subject<S> s{name, version, {}};
+TypedSubject<S> subject(const char* name, const char* version) {
+  TypedSubject<S> s{name, version, {}};
   s.operations.tree = bind<Of<S>, S>;
   return s;
 }

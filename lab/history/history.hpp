@@ -13,7 +13,7 @@ namespace liecheck::properties {
 /// The two forms of one operation.
 struct Forms {
   std::string operation;  ///< its name
-  std::function<void(Operations<double>&)> faulty, fixed;
+  std::function<void(TypedOperations<double>&)> faulty, fixed;
 };
 
 enum class HistoryKind {
@@ -47,7 +47,7 @@ template <class Operation>
 Forms forms(const Operation& operation, typename Operation::template Function<double> faulty,
             typename Operation::template Function<double> fixed) {
   const auto plant = [&operation](auto function) {
-    return [&operation, function](Operations<double>& o) { o[operation] = function; };
+    return [&operation, function](TypedOperations<double>& o) { o[operation] = function; };
   };
   return {std::string(operation.name), plant(faulty), plant(fixed)};
 }
@@ -63,7 +63,7 @@ Forms tree_forms(const Operation& operation, std::type_identity_t<OnTree<Operati
                  std::type_identity_t<OnTree<Operation>> fixed,
                  const liecheck::properties::Operation* with = nullptr) {
   const auto plant = [&operation, with](auto form) {
-    return [&operation, with, form](Operations<double>& o) {
+    return [&operation, with, form](TypedOperations<double>& o) {
       o.tree = [&operation, with, form](const Tree<double>& tree) {
         const TreeOperations<double> good = correct_tree(tree);
         TreeOperations<double> only;

@@ -13,14 +13,15 @@ std::vector<std::vector<HistoricBug> (*)()>& groups() {
   return all;
 }
 
-std::vector<Subject<double>> subjects_of_history(const Operations<double>& good) {
+std::vector<TypedSubject<double>> subjects_of_history(const TypedOperations<double>& good) {
   Bugs<double>::good() = good;
-  std::vector<Subject<double>> all;
+  std::vector<TypedSubject<double>> all;
   for (const HistoricBug& b : historic_bugs())
     for (const bool fixed : {false, true}) {
       const auto& plant = fixed ? b.forms.fixed : b.forms.faulty;
       if (plant) {
-        Operations<double>& o = all.emplace_back(Subject<double>{b.subject(fixed), b.thread, {}}).operations;
+        TypedOperations<double>& o =
+            all.emplace_back(TypedSubject<double>{b.subject(fixed), b.thread, {}}).operations;
         plant(o);
         o.check_quaternion = good.check_quaternion, o.check_rotation = good.check_rotation;
       }

@@ -15,7 +15,7 @@
 #include <oracles/exp.hpp>
 #include <oracles/quaternion.hpp>
 #include <stdexcept>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <support/run_state.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
@@ -102,13 +102,13 @@ Vec<S, 4> product(const Vec<S, 4>& a, const Vec<S, 4>& b) {
 template <class S>
 class Path {
  public:
-  Path(const Operations<S>& o, const Walk& walk, const Increments<S>& increments, std::uint64_t seed,
+  Path(const TypedOperations<S>& o, const Walk& walk, const Increments<S>& increments, std::uint64_t seed,
        unsigned number)
       : o_(o), walk_(walk), increments_(increments), seed_(seed), number_(number) {
     X_.R.setIdentity(), X_.p.setZero();
     q_ << 0, 0, 0, 0, 0, 0, 1;
   }
-  static bool offered(const Operations<S>& o, Step step) {
+  static bool offered(const TypedOperations<S>& o, Step step) {
     switch (step) {
       case Step::integrate:
         return o[op::integrate] != nullptr;
@@ -161,13 +161,14 @@ class Path {
   }
   void restore(const json& s) {
     if (!s.at("n").is_number_unsigned()) throw std::invalid_argument("its number of steps is no count");
-    n_ = s.at("n"), norm_ = parse_float<double>(s.at("norm")),
-    longest_ = parse_float<double>(s.at("longest"));
+    n_ = s.at("n"), norm_ = parse_float(s.at("norm"), oracles::scalar_of<double>),
+    longest_ = parse_float(s.at("longest"), oracles::scalar_of<double>);
     const json& x = s.at("numbers");
     std::size_t at = 0;
-    for (int i = 0; i < 7; ++i) q_[i] = parse_float<S>(x.at(at++));
-    for (int i = 0; i < 9; ++i) X_.R(i / 3, i % 3) = parse_float<S>(x.at(at++));
-    for (int i = 0; i < 3; ++i) X_.p[i] = parse_float<S>(x.at(at++));
+    for (int i = 0; i < 7; ++i) q_[i] = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
+    for (int i = 0; i < 9; ++i)
+      X_.R(i / 3, i % 3) = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
+    for (int i = 0; i < 3; ++i) X_.p[i] = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
     for (int i = 0; i < 4; ++i)
       truth_[i] = Real(s.at("truth").at(static_cast<std::size_t>(i)).get<std::string>());
   }
@@ -222,7 +223,7 @@ class Path {
     return 2 * static_cast<double>(sqrt(std::min(minus, plus)));
   }
 
-  const Operations<S>& o_;
+  const TypedOperations<S>& o_;
   Walk walk_;
   const Increments<S>& increments_;
   std::uint64_t seed_;
@@ -272,7 +273,8 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
   if (const json before = shared.get(name); !before.is_null()) try {
       path.restore(before);
       for (const json& e : before.at("errors"))
-        errors.emplace_back(parse_float<double>(e.at(0)), parse_float<double>(e.at(1)));
+        errors.emplace_back(parse_float(e.at(0), oracles::scalar_of<double>),
+                            parse_float(e.at(1), oracles::scalar_of<double>));
       // A checkpoint that was reached exactly may have been written before its errors.
       const auto below = std::ranges::lower_bound(at, path.n()) - at.begin(),
                  reached = std::ranges::upper_bound(at, path.n()) - at.begin();
@@ -310,7 +312,7 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
 }
 
 template <class S>
-std::optional<Horizon> measured(const Subject<S>& subject, const Walk& walk, Shared& shared) {
+std::optional<Horizon> measured(const TypedSubject<S>& subject, const Walk& walk, Shared& shared) {
   const HorizonOptions& o = shared.options;
   const unsigned paths = walk.random ? o.paths : 1;
   const Increments<S> increments(walk, o.seed);
@@ -320,12 +322,13 @@ std::optional<Horizon> measured(const Subject<S>& subject, const Walk& walk, Sha
   std::atomic<bool> stop{false};
   run_on_threads(std::min(o.jobs, paths), stop, [&] {
     for (unsigned i = next++; i < paths && !stop && !stop_requested; i = next++)
-      errors[i] =
-          walked(Path<S>(subject.operations, walk, increments, o.seed, i),
-                 fmt::format("{} {} {} {}", subject.name, scalar_name<S>(), walk.name, i), at, shared);
+      errors[i] = walked(
+          Path<S>(subject.operations, walk, increments, o.seed, i),
+          fmt::format("{} {} {} {}", subject.name, std::string(oracles::scalar_of<S>.name), walk.name, i), at,
+          shared);
   });
   if (stop_requested) return std::nullopt;
-  Horizon h{subject.name, scalar_name<S>(), walk.name, {}};
+  Horizon h{subject.name, std::string(oracles::scalar_of<S>.name), walk.name, {}};
   h.norm_limit = walk.norm, h.angle_limit = walk.angle;
   for (std::size_t k = 0; k < at.size(); ++k) {
     HorizonPoint p{at[k]};
@@ -343,15 +346,17 @@ std::optional<Horizon> measured(const Subject<S>& subject, const Walk& walk, Sha
 template <class S>
 bool measure_in(Shared& shared, const std::function<void(const Horizon&)>& report) {
   const HorizonOptions& o = shared.options;
-  if (!std::ranges::count(o.scalars, scalar_name<S>())) return true;
+  if (!std::ranges::count(o.scalars, std::string(oracles::scalar_of<S>.name))) return true;
   for (const std::string& name : o.subjects)
-    for (const Subject<S>* s : subjects<S>()) {
+    for (const TypedSubject<S>* s : typed_subjects<S>()) {
       if (s->name != name) continue;
       for (const std::string& asked : o.walks) {
         const Walk& walk = *std::ranges::find(horizon_walks, asked, &Walk::name);
         if (walk.step == Step::scene) continue;
         if (!Path<S>::offered(s->operations, walk.step)) {
-          if (o.left_out) o.left_out(fmt::format("{} offers no {} in {}", name, walk.name, scalar_name<S>()));
+          if (o.left_out)
+            o.left_out(fmt::format("{} offers no {} in {}", name, walk.name,
+                                   std::string(oracles::scalar_of<S>.name)));
           continue;
         }
         const auto h = measured(*s, walk, shared);
@@ -380,8 +385,8 @@ bool measure_horizons(const HorizonOptions& o, const std::function<void(const Ho
     if (scalar != "float" && scalar != "double")
       throw std::invalid_argument(fmt::format("--scalar: unknown scalar '{}'; known: float, double", scalar));
   for (const std::string& name : o.subjects)
-    if (std::ranges::none_of(subjects<double>(), [&](const auto* s) { return s->name == name; }) &&
-        std::ranges::none_of(subjects<float>(), [&](const auto* s) { return s->name == name; }))
+    if (std::ranges::none_of(typed_subjects<double>(), [&](const auto* s) { return s->name == name; }) &&
+        std::ranges::none_of(typed_subjects<float>(), [&](const auto* s) { return s->name == name; }))
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
   Shared shared{{o.state,

@@ -35,20 +35,20 @@ bool any_failed(const std::vector<Judged>& judged) {
 }  // namespace
 
 template <class S>
-Lab<S>::Lab(const Subject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
-            LawKinds kinds)
+Lab<S>::Lab(const TypedSubject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed,
+            const Robot& robot, LawKinds kinds)
     : triggers_(table),
       seed_(seed),
       watch_(table),
       wrapped_(base.operations, {&watch_}),
-      subject_{base.name, base.version, wrapped_.operations()} {
+      subject_(erased(TypedSubject<S>{base.name, base.version, wrapped_.operations()})) {
   const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
-  for (auto& law : make_properties<S>()) {
+  for (auto& law : make_properties(oracles::scalar_of<S>)) {
     const bool of_trees = is_tree_law(law->name());
     if (!(of_trees ? kinds.trees : kinds.single) || !law->offered(subject_)) continue;
     LawRun& run = laws_.emplace_back();
     run.of_trees = of_trees;
-    run.series = std::make_unique<TypedSeries<S>>(std::move(law), subject_, robot);
+    run.series = std::make_unique<Series>(std::move(law), subject_, robot);
     run.key = run.series->id(seed, 0).series_key();
   }
   if (laws_.empty()) throw std::invalid_argument("lattice: no law applies to subject " + base.name);
@@ -57,7 +57,7 @@ Lab<S>::Lab(const Subject<S>& base, const std::vector<Trigger>& table, std::uint
 template <class S>
 std::vector<Judged> Lab<S>::run(const LawRun& law, std::uint64_t index) {
   Source source(CaseId::key_of(law.key, index));
-  const std::vector<S> x = law.series->tested_law().generate(source);
+  const std::vector<double> x = law.series->tested_law().generate(source);
   std::vector<Judged> judged;
   const auto measure = [&] {
     const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);

@@ -5,7 +5,7 @@
 // fault, and notes where each trigger fires in each operation. Then a fault is planted only in its own cases.
 // Because a case follows from its address, the result is the same as if all cases were run with the fault.
 
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <lattice/watch.hpp>
 
 namespace liecheck::properties {
@@ -40,7 +40,7 @@ template <class S>
 class Lab {
  public:
   /// `base` and `table` must outlive the lab. Throws std::invalid_argument if no law applies to the base.
-  Lab(const Subject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
+  Lab(const TypedSubject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
       LawKinds kinds = {});
   Lab(const Lab&) = delete;
   Lab& operator=(const Lab&) = delete;
@@ -67,7 +67,7 @@ class Lab {
     bool often = false;                ///< in at least 1 % of the first cases: no longer noted
   };
   struct LawRun {
-    std::unique_ptr<TypedSeries<S>> series;
+    std::unique_ptr<Series> series;
     Source::Key key;
     bool of_trees = false;
     std::uint64_t scanned = 0, failed = 0;
@@ -91,7 +91,7 @@ class Lab {
   std::uint64_t seed_;
   Watch<S> watch_;
   Wrapped<S, Watcher<S>> wrapped_;
-  Subject<S> subject_;
+  Subject subject_;
   std::vector<LawRun> laws_;
   std::map<const Operation*, std::vector<bool>> applies_;  ///< which triggers an operation's arguments admit
 };

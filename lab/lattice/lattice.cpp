@@ -11,10 +11,10 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-Subject<S> subject_named(const std::string& name) {
+TypedSubject<S> subject_named(const std::string& name) {
   if (name == "look-alikes") return look_alikes<S>();
   std::string known = "look-alikes";
-  for (const Subject<S>* s : subjects<S>()) {
+  for (const TypedSubject<S>* s : typed_subjects<S>()) {
     if (s->name == name) return *s;
     if (s->name.find(':') == std::string::npos) known += ", " + s->name;
   }
@@ -76,7 +76,7 @@ class Run {
   }
 
   void one_base() {
-    const Subject<S>& base = bases_[base_];
+    const TypedSubject<S>& base = bases_[base_];
     Lab<S> lab(base, triggers(), o_.seed, robot_, laws_for(operations_));
     const auto stop_scan = [this] {
       show(0, "looking where triggers fire");
@@ -132,7 +132,7 @@ class Run {
   }
 
   const Trigger& table_of(const Fault& fault) const { return triggers()[fault.trigger]; }
-  LatticeRow row_of(const Subject<S>& base, const Fault& fault) const {
+  LatticeRow row_of(const TypedSubject<S>& base, const Fault& fault) const {
     const auto blocks = block_names(*fault.operation);
     const Trigger& trigger = table_of(fault);
     return {base.name,
@@ -164,7 +164,7 @@ class Run {
   VerdictFile file_;
   Progress progress_;
   LatticeResult result_;
-  std::vector<Subject<S>> bases_;
+  std::vector<TypedSubject<S>> bases_;
   std::size_t base_ = 0;
   bool stopped_ = false;
 };
@@ -172,13 +172,13 @@ class Run {
 }  // namespace
 
 template <class S>
-Subject<S> look_alikes() {
-  Subject<S> all;
-  for (const Subject<S>* s : subjects<S>())
+TypedSubject<S> look_alikes() {
+  TypedSubject<S> all;
+  for (const TypedSubject<S>* s : typed_subjects<S>())
     if (s->name == "liecheck") all = *s;
-  const Operations<S> good = all.operations;
+  const TypedOperations<S> good = all.operations;
   all.name = "look-alikes";
-  for (const Subject<S>* s : subjects<S>())
+  for (const TypedSubject<S>* s : typed_subjects<S>())
     if (s->name.rfind("alike:", 0) == 0)
       SpatialSlots<S>::for_each([&](const auto& operation) {
         if (s->operations[operation] != good[operation]) all.operations[operation] = s->operations[operation];
@@ -186,8 +186,8 @@ Subject<S> look_alikes() {
   all.operations.robot = nullptr, all.operations.tree = nullptr;
   return all;
 }
-template Subject<float> look_alikes();
-template Subject<double> look_alikes();
+template TypedSubject<float> look_alikes();
+template TypedSubject<double> look_alikes();
 
 std::size_t LatticeResult::common() const {
   return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const LatticeRow& r) {

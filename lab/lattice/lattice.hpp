@@ -36,7 +36,7 @@ struct LatticeResult {
 
 /// The subject with all look-alikes at once: a third correct implementation.
 template <class S>
-Subject<S> look_alikes();
+TypedSubject<S> look_alikes();
 
 /// Runs the lattice. After stop_requested or after options.seconds it returns what was done. Throws
 /// std::invalid_argument for an unknown subject or operation, and std::runtime_error, which names file and

@@ -103,16 +103,16 @@ Function caller(F f) {
   };
 }
 
-const std::vector<Subject<Stochastic>>& in_stochastic() {
+const std::vector<TypedSubject<Stochastic>>& in_stochastic() {
   static const auto all = [] {
-    std::vector<Subject<Stochastic>> list = stochastic_textbooks();
+    std::vector<TypedSubject<Stochastic>> list = stochastic_textbooks();
     list.insert(list.begin(), stochastic_liecheck());
     return list;
   }();
   return all;
 }
 
-std::vector<Numbers> inputs_of(const Property<double>& law, const Operation& operation, std::size_t band,
+std::vector<Numbers> inputs_of(const Property& law, const Operation& operation, std::size_t band,
                                const DigitsOptions& options) {
   const std::vector<Field> fields = law.fields();
   std::vector<Numbers> all;
@@ -135,20 +135,20 @@ Numbers exact_result(const Operation& operation, const Numbers& x) try {
   return {};
 }
 
-const Subject<double>& subject_named(const std::string& name) {
-  for (const Subject<double>* s : subjects<double>())
+const TypedSubject<double>& subject_named(const std::string& name) {
+  for (const TypedSubject<double>* s : typed_subjects<double>())
     if (s->name == name) return *s;
   throw std::invalid_argument(
       fmt::format("--subject: unknown subject '{}' in double; 'liecheck list' shows them", name));
 }
 
 std::vector<Tested> tested(const std::string& name) {
-  static const auto laws = make_properties<double>();
-  const Subject<double>& in_double = subject_named(name);
-  const auto at_random = std::ranges::find(in_stochastic(), name, &Subject<Stochastic>::name);
+  static const auto laws = make_properties(oracles::scalar_of<double>);
+  const TypedSubject<double>& in_double = subject_named(name);
+  const auto at_random = std::ranges::find(in_stochastic(), name, &TypedSubject<Stochastic>::name);
   std::vector<Tested> all;
   SpatialSlots<double>::for_each([&](const auto& operation) {
-    const Property<double>* const law = law_of(operation, laws);
+    const Property* const law = law_of(operation, laws);
     Tested one{&operation,
                [&operation](const Numbers& x) { return exact_result(operation, x); },
                caller<double>(in_double.operations[operation]),

@@ -3,7 +3,7 @@
 
 namespace liecheck::properties {
 
-Subject<Stochastic> stochastic_liecheck() {
+TypedSubject<Stochastic> stochastic_liecheck() {
   return LiecheckOperations<Stochastic>::make();
 }
 

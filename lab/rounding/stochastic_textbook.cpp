@@ -3,7 +3,7 @@
 
 namespace liecheck::properties {
 
-std::vector<Subject<Stochastic>> stochastic_textbooks() {
+std::vector<TypedSubject<Stochastic>> stochastic_textbooks() {
   return {Textbook<Stochastic>::make<8, false>(), Textbook<Stochastic>::make<3, true>()};
 }
 

@@ -2,14 +2,14 @@
 // Subjects whose templates are compiled for Stochastic. Each is in a file of its own, compiled with line numbers.
 
 #include <rounding/stochastic.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <vector>
 
 namespace liecheck::properties {
 
-Subject<Stochastic> stochastic_liecheck();
+TypedSubject<Stochastic> stochastic_liecheck();
 /// With the cutoff 1e-8, and with 1e-3, whose truncation errors no rounding shows.
-std::vector<Subject<Stochastic>> stochastic_textbooks();
+std::vector<TypedSubject<Stochastic>> stochastic_textbooks();
 
 /// liecheck's algorithms on the built-in quadruped. Their argument is [q, v, a] or, for aba, [q, v, tau].
 struct RobotFunction {

@@ -116,7 +116,7 @@ void fill_all(Slots<S, all...>& slots, const Description& d) {
   (fill<number, S, all>(slots[all], d), ...);
 }
 template <int number, class S>
-void fill_operations(Operations<S>& o, const Description& d) {
+void fill_operations(TypedOperations<S>& o, const Description& d) {
   fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
   if (offers_trees(d, scalar_text<S>))
     o.tree = [d](const Tree<S>& tree) {
@@ -128,7 +128,7 @@ void fill_operations(Operations<S>& o, const Description& d) {
 template <class S, int... numbers>
 void register_one(int wanted, const std::string& text, const Description& d,
                   std::integer_sequence<int, numbers...>) {
-  Subject<S> s{d.name, d.version, {}, text};
+  TypedSubject<S> s{d.name, d.version, {}, text};
   ((wanted == numbers ? fill_operations<numbers, S>(s.operations, d) : void()), ...);
   const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == scalar_text<S>; });
   if (any) Registered<S>(std::move(s));
@@ -174,7 +174,7 @@ std::string register_as(const std::string& text, const std::string& name, bool i
     if (!is_operation(operation))
       refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
   if (d.offered.empty()) refuse("it offers no operation");
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
   source.description = d;
   *free = source;

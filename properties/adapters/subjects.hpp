@@ -3,7 +3,7 @@
 
 #include <adapters/adapter.hpp>
 #include <string>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::adapters {
 

@@ -266,7 +266,7 @@ template <class S>
 void check_in(const char* scalar, Adapter& adapter, Checked& all) {
   const Description& d = adapter.description();
   const auto own = [] {
-    for (const Subject<S>* s : subjects<S>())
+    for (const TypedSubject<S>* s : typed_subjects<S>())
       if (s->name == "liecheck") return s;
     throw std::logic_error("no subject liecheck");
   }();

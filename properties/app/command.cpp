@@ -66,7 +66,7 @@ void SelectionFlags::add(Arguments& a) {
   a.list("--property", properties, "NAME",
          "a law, as 'liecheck list' names it, repeatable; default every one");
   a.list("--scalar", scalars, "SCALAR",
-         "float, double or float128, repeatable; default every one that the subject has, of liecheck the "
+         "float or double, repeatable; default every one that the subject has, of liecheck the "
          "first two");
   limits.add(a);
   a.json(json, "write the record to FILE");

@@ -24,7 +24,7 @@ std::vector<Values> values() {
   for (const Operation* o : all_operations()) operations.emplace_back(o->name);
   return {{"subject", fmt::format("{}", fmt::join(subjects, " "))},
           {"property", fmt::format("{}", fmt::join(property_names(), " "))},
-          {"scalar", "float double float128"},
+          {"scalar", "float double"},
           {"op", fmt::format("{}", fmt::join(operations, " "))},
           {"operation", fmt::format("{}", fmt::join(operations, " "))},
           {"profile", fmt::format("{}", fmt::join(profile_names(), " "))},

@@ -244,7 +244,7 @@ Command hunt_command(CLI::App& program) {
   a.text("--block", o.block, "NAME",
          "one block of its result, as 'liecheck list' names it; default each of them");
   a.text("--property", a->property, "NAME", "one law that measures it; default all laws");
-  a.text("--scalar", a->scalar, "SCALAR", "float, double or float128").with_default_in_help();
+  a.text("--scalar", a->scalar, "SCALAR", "float or double").with_default_in_help();
   a.toggle("--excess", o.excess, "maximise error / kappa, also beyond theta = pi");
   a.seed(o.seed, "seed of the search");
   const Flag evaluations =

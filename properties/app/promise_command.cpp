@@ -132,7 +132,7 @@ Command promise_command(CLI::App& program) {
       "a wrong branch or a cliff, which the file names; 2 for bad input; 3 if stopped, without a file");
   a.text("SUBJECT", a->subject, "", "the subject; default: that of the adapter");
   a->adapters.add(a);
-  a.list("--scalar", a->scalars, "SCALAR", "float, double or float128, repeatable; default all it has");
+  a.list("--scalar", a->scalars, "SCALAR", "float or double, repeatable; default all it has");
   a->cases.add(a);
   a.text("--out", a->out, "FILE", "the file to write, which must not exist").required();
   return a.runs(run);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/float128.hpp>
 #include <cmath>
 
 namespace liecheck::properties {
@@ -76,23 +75,20 @@ bool is(Quantity q, const Operation& o, const Field& f) {
   }
 }
 
-template <class S>
-double norm(const S* x, std::size_t n) {
+double norm(const double* x, std::size_t n) {
   double largest = 0, sum = 0;
-  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(static_cast<double>(x[i])));
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(x[i]));
   if (!(largest > 0) || std::isinf(largest)) return largest;
   for (std::size_t i = 0; i < n; ++i) {
-    const double scaled = static_cast<double>(x[i]) / largest;
+    const double scaled = x[i] / largest;
     sum += scaled * scaled;
   }
   return largest * std::sqrt(sum);
 }
 
 using Four = std::array<double, 4>;
-template <class S>
-Four four(const S* x) {
-  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]),
-          static_cast<double>(x[3])};
+Four four(const double* x) {
+  return {x[0], x[1], x[2], x[3]};
 }
 /// The angle of a* b.
 double angle_between(const Four& a, const Four& b) {
@@ -104,9 +100,8 @@ double angle_between(const Four& a, const Four& b) {
   const double w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   return 2 * std::atan2(norm(v.data(), 3), std::fabs(w));
 }
-template <class S>
-double angle_of_matrix(const S* R) {
-  const auto at = [R](std::size_t i) { return static_cast<double>(R[i]); };
+double angle_of_matrix(const double* R) {
+  const auto at = [R](std::size_t i) { return R[i]; };
   const double axis[] = {(at(7) - at(5)) / 2, (at(2) - at(6)) / 2, (at(3) - at(1)) / 2};
   return std::atan2(norm(axis, 3), (at(0) + at(4) + at(8) - 1) / 2);
 }
@@ -163,13 +158,13 @@ Domain::Domain(const std::vector<DomainBound>& bounds, const std::vector<Field>&
 namespace {
 
 /// The largest angle of rotation vectors or matrices, or between the quaternions of two configurations.
-template <class S, class Groups>
-double largest_angle(const std::vector<S>& x, const Groups& groups) {
+template <class Groups>
+double largest_angle(const std::vector<double>& x, const Groups& groups) {
   double largest = -1;
   const std::size_t n = groups.size();
   for (std::size_t i = 0; i < n; ++i) {
     const auto& g = groups[i];
-    const S* at = x.data() + g.from;
+    const double* at = x.data() + g.from;
     double angle = 0;
     if (is_quaternion(g.kind) && n > 1)
       angle = i < n / 2 ? angle_between(four(at), four(x.data() + groups[i + n / 2].from)) : 0;
@@ -186,8 +181,7 @@ double largest_angle(const std::vector<S>& x, const Groups& groups) {
 
 }  // namespace
 
-template <class S>
-std::vector<bool> Domain::outside(const std::vector<S>& x) const {
+std::vector<bool> Domain::outside(const std::vector<double>& x) const {
   std::vector<bool> all(angles_.size(), false);
   for (const Test& t : tests_) {
     double size = t.angle ? largest_angle(x, t.groups) : 0;
@@ -198,17 +192,8 @@ std::vector<bool> Domain::outside(const std::vector<S>& x) const {
   return all;
 }
 
-template <class S>
-double Domain::angle(const std::vector<S>& x, std::size_t output) const {
+double Domain::angle(const std::vector<double>& x, std::size_t output) const {
   return largest_angle(x, angles_[output]);
 }
-
-using float128 = boost::multiprecision::float128;
-template std::vector<bool> Domain::outside(const std::vector<float>&) const;
-template std::vector<bool> Domain::outside(const std::vector<double>&) const;
-template std::vector<bool> Domain::outside(const std::vector<float128>&) const;
-template double Domain::angle(const std::vector<float>&, std::size_t) const;
-template double Domain::angle(const std::vector<double>&, std::size_t) const;
-template double Domain::angle(const std::vector<float128>&, std::size_t) const;
 
 }  // namespace liecheck::properties

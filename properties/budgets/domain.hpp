@@ -43,12 +43,10 @@ class Domain {
          const std::vector<Output>& outputs);
   bool has_everything() const { return tests_.empty(); }
   /// By output: whether the input is outside the domain of its operation.
-  template <class S>
-  std::vector<bool> outside(const std::vector<S>& input) const;
+  std::vector<bool> outside(const std::vector<double>& input) const;
   /// The angle of an output's operation [rad], or a negative number if it has none. It is computed in double:
   /// for counting, not for measuring.
-  template <class S>
-  double angle(const std::vector<S>& input, std::size_t output) const;
+  double angle(const std::vector<double>& input, std::size_t output) const;
 
  private:
   struct Group {

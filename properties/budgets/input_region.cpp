@@ -1,7 +1,6 @@
 #include <budgets/input_region.hpp>
 
 #include <algorithm>
-#include <boost/multiprecision/float128.hpp>
 #include <charconv>
 
 namespace liecheck::properties {
@@ -30,8 +29,7 @@ std::optional<InputRegion> parse_input_region(const std::string& text) {
   const auto in = [&](const Bands& bands) {
     return std::ranges::any_of(bands.all(), [&](const Band& b) { return region.has(b); });
   };
-  if (!in(Bands::of<float>()) && !in(Bands::of<double>()) &&
-      !in(Bands::of<boost::multiprecision::float128>()))
+  if (!in(Bands::of(oracles::scalar_of<float>)) && !in(Bands::of(oracles::scalar_of<double>)))
     return std::nullopt;
   return region;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -137,9 +137,7 @@ class Engine {
       while (take(s, from, to)) {
         const auto start = Clock::now();
         Tally tally;
-        to = with_scalar(*result_.series[s].series, [&](const auto& series) {
-          return series.run(o_.seed, {from, to}, tally, stop_requested);
-        });
+        to = result_.series[s].series->run(o_.seed, {from, to}, tally, stop_requested);
         if (to == from) return;
         tally.done.add(from, to);
         const double seconds = seconds_since(start);

@@ -1,6 +1,5 @@
 #include <campaign/case_id.hpp>
 
-#include <quadmath.h>
 #include <campaign/digest.hpp>
 
 #include <fmt/format.h>
@@ -10,8 +9,6 @@
 #include <stdexcept>
 
 namespace liecheck::properties {
-
-using float128 = boost::multiprecision::float128;
 
 std::string CaseId::text() const {
   if (raw) return fmt::format("raw.{}.{}.{}.{}.{}", property, subject, scalar, robot, fmt::join(input, ","));
@@ -40,12 +37,7 @@ bool has_digits(const std::string& text) {
 void check_float(const std::string& scalar, const std::string& text) {
   if (!text.empty() && std::isspace(static_cast<unsigned char>(text[0])))
     throw std::invalid_argument(fmt::format("not a number: '{}'", text));
-  if (scalar == "float")
-    parse_float<float>(text);
-  else if (scalar == "double")
-    parse_float<double>(text);
-  else
-    parse_float<float128>(text);
+  parse_float(text, oracles::scalar_named(scalar));
 }
 
 /// Splits the text at the separator into at most n parts.
@@ -96,58 +88,27 @@ Source::Key CaseId::series_key() const {
   return sha256(fmt::format("g{}.{}.{}.{}.{}", generator_version, seed, property, scalar, robot));
 }
 
-template <class S>
-std::string hexadecimal_float(const S& x) {
+std::string hexadecimal_float(double x) {
   char buffer[128];
-  if constexpr (std::is_same_v<S, float128>) {
-    quadmath_snprintf(buffer, sizeof buffer, "%Qa", x.backend().value());
-  } else {
-    std::snprintf(buffer, sizeof buffer, "%a", static_cast<double>(x));
-  }
+  std::snprintf(buffer, sizeof buffer, "%a", x);
   return buffer;
 }
 
-template <class S>
-std::string decimal_float(const S& x) {
-  if constexpr (std::is_same_v<S, float128>) {
-    char buffer[128];
-    quadmath_snprintf(buffer, sizeof buffer, "%.36Qg", x.backend().value());
-    return buffer;
-  } else {
-    return fmt::format("{}", x);
-  }
+std::string decimal_float(double x, const oracles::Scalar& scalar) {
+  return scalar.is_float() ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
 }
 
-template <class S>
-S parse_float(const std::string& text) {
+double parse_float(const std::string& text, const oracles::Scalar& scalar) {
   const char* begin = text.c_str();
   char* end = nullptr;
-  S value;
-  if constexpr (std::is_same_v<S, float128>) {
-    value = S(strtoflt128(begin, &end));
-  } else if constexpr (std::is_same_v<S, float>) {
-    value = std::strtof(begin, &end);
-  } else {
-    value = std::strtod(begin, &end);
-  }
+  const double value = scalar.is_float() ? std::strtof(begin, &end) : std::strtod(begin, &end);
   if (text.empty() || end != begin + text.size())
     throw std::invalid_argument(fmt::format("not a number: '{}'", text));
-  if (value == S(0) && has_digits(text))
-    throw std::invalid_argument(fmt::format("rounded to zero in {}: '{}'", scalar_name<S>(), text));
-  using std::isinf;
-  if (isinf(value) && text.find_first_of("nN") == std::string::npos)  // not typed as inf
-    throw std::invalid_argument(fmt::format("beyond the range of {}: '{}'", scalar_name<S>(), text));
+  if (value == 0 && has_digits(text))
+    throw std::invalid_argument(fmt::format("rounded to zero in {}: '{}'", scalar.name, text));
+  if (std::isinf(value) && text.find_first_of("nN") == std::string::npos)  // not typed as inf
+    throw std::invalid_argument(fmt::format("beyond the range of {}: '{}'", scalar.name, text));
   return value;
 }
-
-template std::string hexadecimal_float<float>(const float&);
-template std::string hexadecimal_float<double>(const double&);
-template std::string hexadecimal_float<float128>(const float128&);
-template std::string decimal_float<float>(const float&);
-template std::string decimal_float<double>(const double&);
-template std::string decimal_float<float128>(const float128&);
-template float parse_float<float>(const std::string&);
-template double parse_float<double>(const std::string&);
-template float128 parse_float<float128>(const std::string&);
 
 }  // namespace liecheck::properties

@@ -7,11 +7,10 @@
 // ROBOT is "none" or Robot::hash. The generator's key does not depend on the subject, so every subject gets
 // the same inputs in one scalar.
 
-#include <boost/multiprecision/float128.hpp>
 #include <cstdint>
 #include <generators/random_bits.hpp>
+#include <oracles/scalar.hpp>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace liecheck::properties {
@@ -37,19 +36,12 @@ struct CaseId {
   }
 };
 
-template <class S>
-std::string scalar_name() {
-  return std::is_same_v<S, float> ? "float" : std::is_same_v<S, double> ? "double" : "float128";
-}
-
 /// The exact value, such as -0x1.8p-3; "nan", "inf" or "-inf" if x is not finite.
-template <class S>
-std::string hexadecimal_float(const S& x);
-/// Throws std::invalid_argument with the text, also for a number that would become 0 or infinite.
-template <class S>
-S parse_float(const std::string& text);
-/// The shortest decimal number that reads back as x, or 36 digits of a float128: for display only.
-template <class S>
-std::string decimal_float(const S& x);
+std::string hexadecimal_float(double x);
+/// The number of the scalar nearest to the text. Throws std::invalid_argument with the text, also for a number that
+/// would become 0 or infinite.
+double parse_float(const std::string& text, const oracles::Scalar& scalar);
+/// The shortest decimal number that reads back as x in the scalar: for display only.
+std::string decimal_float(double x, const oracles::Scalar& scalar);
 
 }  // namespace liecheck::properties

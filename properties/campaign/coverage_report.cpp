@@ -8,11 +8,10 @@ namespace liecheck::properties {
 namespace {
 
 /// Returns n if at least one case in n falls in the band (measured). A band of a decade is wide. Narrow bands
-/// are theta = pi to the last bit and the ends of the exponent range. Their cases are rarest in float128,
-/// which has 16,000 binades.
-std::uint64_t band_one_in(const Band& b, const std::string& scalar) {
+/// are theta = pi to the last bit and the ends of the exponent range.
+std::uint64_t band_one_in(const Band& b) {
   const bool wide = b.axis == Axis::none || (b.low > 0 && b.high / b.low < 11);
-  return wide ? 1000 : scalar == "float128" ? 40000 : 4000;
+  return wide ? 1000 : 4000;
 }
 
 bool has(const Series& s, Kind kind, Reach reach) {
@@ -82,7 +81,7 @@ void add_bands(const Series& series, const Tally& tally, std::vector<Covered>& a
     if (cell.second > 0) by_angle |= 1u << cell.first;
   for (std::size_t b = 1; by_angle && b < series.bands().all().size(); ++b) {
     const Band& band = series.bands()[b];
-    Least least("band " + band.name, band_one_in(band, series.scalar));
+    Least least("band " + band.name, band_one_in(band));
     bool reached = false;
     for_each_due(series, [&](std::size_t i) {
       const Output& o = series.outputs[i];

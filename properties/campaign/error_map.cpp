@@ -1,7 +1,6 @@
 #include <campaign/error_map.hpp>
 
 #include <algorithm>
-#include <campaign/typed_series.hpp>
 #include <cmath>
 #include <generators/random_bits.hpp>
 #include <numbers>
@@ -37,12 +36,16 @@ bool has_length(const Output& output) {
 
 using Vector = Vec<long double, 3>;
 
-/// The rotation by `phi` in the form of the field; numbers of S nearest to the exact ones.
-template <class S>
-void append_rotation(std::vector<S>& to, Kind kind, const Vector& phi) {
+/// The scalar's number nearest to x.
+double nearest(const Scalar& scalar, long double x) {
+  return scalar.is_float() ? static_cast<float>(x) : static_cast<double>(x);
+}
+
+/// The rotation by `phi` in the form of the field; the scalar's numbers nearest to the exact ones.
+void append_rotation(const Scalar& scalar, std::vector<double>& to, Kind kind, const Vector& phi) {
   const long double theta = phi.norm();
   const Vector axis = phi / theta;
-  const auto add = [&](long double x) { to.push_back(static_cast<S>(x)); };
+  const auto add = [&](long double x) { to.push_back(nearest(scalar, x)); };
   if (kind == Kind::rotation_vector) {
     for (const long double x : phi) add(x);
     return;
@@ -68,14 +71,13 @@ Vector direction(Source& source, int sample) {
 }
 
 /// Adds what one input shows to the maps of the outputs.
-template <class S>
-void measure(const TypedSeries<S>& series, const Vector& rho, const Vector& phi, std::vector<double>& worst) {
-  std::vector<S> x;
+void measure(const Series& series, const Vector& rho, const Vector& phi, std::vector<double>& worst) {
+  std::vector<double> x;
   for (const Field& f : series.fields)
     if (f.kind == Kind::vector)
-      for (const long double v : rho) x.push_back(static_cast<S>(v));
+      for (const long double v : rho) x.push_back(nearest(series.format(), v));
     else
-      append_rotation(x, f.kind, phi);
+      append_rotation(series.format(), x, f.kind, phi);
   for (const Judged& j : series.measure(x)) {
     const Outcome o = j.residual.outcome;
     if (j.ill_posed || leaves_open(o) || o == Outcome::outside_domain) continue;
@@ -88,16 +90,14 @@ void measure(const TypedSeries<S>& series, const Vector& rho, const Vector& phi,
 }
 
 /// A norm of the rotation in a column that the scalar can represent.
-template <class S>
-bool in_column(const AngleColumn& column, const Vector& phi) {
-  const Vector stored = phi.cast<S>().template cast<long double>();
+bool in_column(const Scalar& scalar, const AngleColumn& column, const Vector& phi) {
+  const Vector stored = phi.unaryExpr([&](long double x) -> long double { return nearest(scalar, x); });
   const long double theta = stored.norm();
   const long double at = column.axis == Axis::theta ? theta : std::numbers::pi_v<long double> - theta;
   return at >= column.low * .999L && at <= 10 * column.low * 1.001L;
 }
 
-template <class S>
-std::vector<ErrorMap> maps_of(const TypedSeries<S>& series, std::uint64_t seed) {
+std::vector<ErrorMap> maps_of(const Series& series, std::uint64_t seed) {
   const auto columns = map_columns();
   const auto rows = map_rows();
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -114,7 +114,7 @@ std::vector<ErrorMap> maps_of(const TypedSeries<S>& series, std::uint64_t seed) 
         const long double theta = columns[c].axis == Axis::theta ? at : std::numbers::pi_v<long double> - at;
         const Vector phi = theta * direction(source, sample);
         const Vector rho = rows[r] * std::pow(100.0L, source.unit<double>()) * direction(source, 1);
-        if (in_column<S>(columns[c], phi)) measure(series, rho, phi, worst);
+        if (in_column(series.format(), columns[c], phi)) measure(series, rho, phi, worst);
       }
       for (std::size_t i = 0; i < all.size(); ++i) all[i].errors[r][c] = worst[i];
     }
@@ -147,7 +147,7 @@ std::vector<ErrorMap> error_maps(const CampaignResult& campaign) {
   std::atomic<std::size_t> next{0};
   run_on_threads(std::max(campaign.options.jobs, 1u), stop_requested, [&] {
     for (std::size_t i; (i = next++) < series.size() && !stop_requested;)
-      with_scalar(*series[i], [&](const auto& s) { found[i] = maps_of(s, campaign.options.seed); });
+      found[i] = maps_of(*series[i], campaign.options.seed);
   });
   std::vector<ErrorMap> all;
   for (auto& maps : found) std::ranges::move(maps, std::back_inserter(all));

@@ -30,8 +30,13 @@ class Judge final : public Recorder {
   /// `accuracy` is the uncertainty of the recorded errors, relative or in eps, whichever is larger. At 50
   /// digits it is 0. If `every_kappa`, kappa is computed even if the error passes for every kappa, so that
   /// an ill-posed case is always recognised.
-  Judge(const Limits& limits, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
-      : limits_(limits), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
+  Judge(const Limits& limits, const Scalar& scalar, double accuracy, bool every_kappa = false)
+      : Recorder(scalar),
+        limits_(limits),
+        bands_(Bands::of(scalar)),
+        eps_(scalar.epsilon),
+        accuracy_(accuracy),
+        every_kappa_(every_kappa) {
     judged.reserve(limits.size());
   }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/typed_series.hpp>
 #include <set>
 #include <stdexcept>
 #include <subjects/other_libraries.hpp>
@@ -48,20 +47,20 @@ void check_limits(const Selection& selection) {
   }
 }
 
-template <class S>
-void add_series(const Selection& selection, const Robot& robot, std::vector<std::unique_ptr<Series>>& all) {
+void add_series(const Selection& selection, const Robot& robot, const Scalar& scalar,
+                std::vector<std::unique_ptr<Series>>& all) {
   const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
   };
-  if (!wanted(selection.scalars, scalar_name<S>())) return;
-  for (const Subject<S>* subject : subjects<S>()) {
+  if (!wanted(selection.scalars, std::string(scalar.name))) return;
+  for (const Subject* subject : subjects(scalar)) {
     if (!wanted(selection.subjects, subject->name)) continue;
     if (selection.subjects.empty() && on_request(subject->name)) continue;
-    for (auto& property : make_properties<S>()) {
+    for (auto& property : make_properties(scalar)) {
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
       auto own = limits_of(selection, subject->name);
       const Profile profile = profile_of(selection, subject->name, own.get(), !subject->adapter.empty());
-      auto series = std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot, own, profile);
+      auto series = std::make_unique<Series>(std::move(property), *subject, robot, own, profile);
       if (series->due) all.push_back(std::move(series));  // it may offer what another robot would need
     }
   }
@@ -95,28 +94,25 @@ std::string how_to_get(const std::string& subject) {
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
   check_subjects(selection.subjects);
   check_names(selection.properties, property_names(), "property");
-  check_names(selection.scalars, {"float", "double", "float128"}, "scalar");
+  check_names(selection.scalars, {"float", "double"}, "scalar");
   check_limits(selection);
   std::vector<std::unique_ptr<Series>> all;
-  add_series<float>(selection, robot, all);
-  add_series<double>(selection, robot, all);
-  add_series<float128>(selection, robot, all);
+  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    add_series(selection, robot, *scalar, all);
   return all;
 }
 
-std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
-                                  const Robot& robot) {
+std::unique_ptr<Series> series_of(const std::string& property, const Subject& subject, const Robot& robot) {
   check_names({property}, property_names(), "property");
-  for (auto& p : make_properties<double>())
-    if (p->name() == property) return std::make_unique<TypedSeries<double>>(std::move(p), subject, robot);
+  for (auto& p : make_properties(*subject.scalar))
+    if (p->name() == property) return std::make_unique<Series>(std::move(p), subject, robot);
   return nullptr;
 }
 
 std::vector<std::string> subject_names() {
   std::set<std::string> names;
-  for (const auto* s : subjects<float>()) names.insert(s->name);
-  for (const auto* s : subjects<double>()) names.insert(s->name);
-  for (const auto* s : subjects<float128>()) names.insert(s->name);
+  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    for (const Subject* s : subjects(*scalar)) names.insert(s->name);
   return {names.begin(), names.end()};
 }
 
@@ -131,7 +127,7 @@ void check_subjects(const std::vector<std::string>& names) {
 
 std::vector<std::string> property_names() {
   std::vector<std::string> names;
-  for (const auto& p : make_properties<double>()) names.push_back(p->name());
+  for (const auto& p : make_properties(oracles::scalar_of<double>)) names.push_back(p->name());
   return names;
 }
 

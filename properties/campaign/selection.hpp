@@ -14,9 +14,8 @@ struct Selection {
 /// Throws std::invalid_argument for a name that is not known, and for limits of a subject that has others or
 /// is not selected.
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
-/// One law on any subject, in double. `subject` must outlive the series. Throws std::invalid_argument.
-std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
-                                  const Robot& robot);
+/// One law on any subject. `subject` must outlive the series. Throws std::invalid_argument.
+std::unique_ptr<Series> series_of(const std::string& property, const Subject& subject, const Robot& robot);
 
 std::vector<std::string> subject_names();
 /// Throws std::invalid_argument for a name that is not known.

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <campaign/call_observer.hpp>
 #include <campaign/robots.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <cmath>
 #include <hard_cases/attempt.hpp>
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <mutex>
+#include <subjects/call_observer.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 
@@ -39,17 +39,15 @@ Verdict verdict_of(const Judged& j) {
           j.budget->limit};
 }
 
-template <class S>
-bool is_small(const S& x) {
-  using std::abs;
-  return x != 0 && abs(x) < std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
+bool is_small(const Scalar& scalar, double x) {
+  return x != 0 && std::fabs(x) < scalar.least_denominator();
 }
 
-template <class S>
-Case measured(const TypedSeries<S>& s, const CaseId& id) {
-  const std::vector<S> x = s.numbers(id);
+Case measured(const Series& s, const CaseId& id) {
+  const std::vector<double> x = s.numbers(id);
   Case c;
-  c.small = std::ranges::any_of(x, &is_small<S>), c.id = id.text();
+  c.small = std::ranges::any_of(x, [&](double number) { return is_small(s.format(), number); }),
+  c.id = id.text();
   const std::hash<std::string> hash;
   CallObserver observer = [&](const Operation& operation, const std::string& key, const std::string& result) {
     c.calls.emplace_back(hash(std::string(operation.name) + key), hash(result));
@@ -57,20 +55,20 @@ Case measured(const TypedSeries<S>& s, const CaseId& id) {
     c.call_operations.push_back(static_cast<std::uint16_t>(at - s.outputs.begin()));
   };
   const Observing observing(observer);
-  const typename TypedSeries<S>::Checking checking(s, true);
+  const Series::Checking checking(s, true);
   std::vector<Judged> judged = s.measure(x);
   checking.judge(judged);
   for (const Judged& j : judged) c.verdicts.push_back(verdict_of(j));
   return c;
 }
 
-template <class S>
-Case hard(const TypedSeries<S>& s, const HardCase& h) {
+Case hard(const Series& s, const HardCase& h) {
   const CaseId id = raw_case(s, h);
   const Trial trial = attempt(s, id);
   Case c;
   c.id = id.text();
-  for (const std::string& number : trial.input) c.small = c.small || is_small(parse_float<S>(number));
+  for (const std::string& number : trial.input)
+    c.small = c.small || is_small(s.format(), parse_float(number, s.format()));
   for (const Judged& j : trial.judged) c.verdicts.push_back(verdict_of(j));
   return c;
 }
@@ -167,9 +165,8 @@ std::optional<Measured> measure(const std::string& subject, Profile profile, con
   run_on_threads(options.jobs, stop, [&] {
     for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
       const Task& t = tasks[i];
-      m.laws[t.law].cases[t.at] = with_scalar(*all[t.law], [&](const auto& s) {
-        return t.hard ? hard(s, *t.hard) : measured(s, s.id(options.seed, t.at));
-      });
+      m.laws[t.law].cases[t.at] =
+          t.hard ? hard(*all[t.law], *t.hard) : measured(*all[t.law], all[t.law]->id(options.seed, t.at));
       const std::lock_guard lock(mutex);
       if (options.progress) options.progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
     }

@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 #include <adapters/adapter.hpp>
 #include <adapters/subjects.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <conventions/stated.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
@@ -17,22 +17,21 @@ struct Argument {
   std::string name, decimal, hexadecimal;
 };
 
-template <class S>
-std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Description& d) {
-  std::vector<S> numbers;
-  for (const float128& x : call.arguments) numbers.push_back(static_cast<S>(x));
+std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Description& d,
+                                   const Scalar& scalar) {
+  std::vector<double> numbers = call.arguments;
   if (!d.conventions.empty()) {  // as the adapter receives them
-    std::vector<S> own(numbers.size());
+    std::vector<double> own(numbers.size());
     conventions::encode(conventions::rearranged(*call.operation, d.conventions).arguments, numbers.data(),
                         own.data());
     numbers = own;
   }
   std::vector<Argument> all;
-  std::span<const S> left(numbers);
+  std::span<const double> left(numbers);
   for (const Layout* l : call.operation->arguments) {
     std::vector<std::string> decimal, hexadecimal;
-    for (const S& x : left.first(conventions::size_of(*l)))
-      decimal.push_back(decimal_float(x)), hexadecimal.push_back(hexadecimal_float(x));
+    for (const double x : left.first(conventions::size_of(*l)))
+      decimal.push_back(decimal_float(x, scalar)), hexadecimal.push_back(hexadecimal_float(x));
     left = left.subspan(conventions::size_of(*l));
     all.push_back({std::string(l->name), fmt::format("{}", fmt::join(decimal, ", ")),
                    fmt::format("{}", fmt::join(hexadecimal, ", "))});
@@ -58,10 +57,10 @@ std::string adapter_program(const Series& series, const Output& output, const No
   const adapters::Description* const d = adapters::description_of(series.adapter);
   const NotedCall* const call = worst_call(output, noted);
   if (!d || !call) return "";
-  const auto arguments =
-      with_scalar(series, [&]<class S>(const TypedSeries<S>&) { return arguments_in<S>(*call, *d); });
+  const auto arguments = arguments_in(*call, *d, series.format());
   if (const auto source = d->source.find(std::string(call->operation->name)); source != d->source.end())
-    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject, filled(source->second, arguments, series.scalar));
+    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject,
+                       filled(source->second, arguments, series.scalar));
   std::string text =
       fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);
   for (const Argument& a : arguments)

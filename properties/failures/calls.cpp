@@ -2,10 +2,10 @@
 
 #include <adapters/called.hpp>
 #include <algorithm>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <conventions/reference.hpp>
 #include <invariants/witness.hpp>
-#include <subjects/wrapped.hpp>
+#include <subjects/hooked.hpp>
 
 namespace liecheck::properties {
 
@@ -13,10 +13,10 @@ namespace {
 
 /// Appends the numbers of a value: matrices row by row.
 template <class T>
-void append_numbers(std::vector<float128>& to, const T& value) {
+void append_numbers(std::vector<double>& to, const T& value) {
   if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>) {
     for (Eigen::Index i = 0; i < value.rows(); ++i)
-      for (Eigen::Index j = 0; j < value.cols(); ++j) to.emplace_back(value(i, j));
+      for (Eigen::Index j = 0; j < value.cols(); ++j) to.push_back(value(i, j));
   } else if constexpr (requires { value.I_C; }) {
     append_numbers(to, value.mass), append_numbers(to, value.c), append_numbers(to, value.I_C);
   } else if constexpr (requires { value.R; }) {
@@ -50,28 +50,24 @@ struct Noting {
 };
 
 /// Whether a call concerns an output: it is of its operation, or of one that it is formed from.
-template <class S>
-bool concerns(const Property<S>& law, const Output& output, const NotedCall& call) {
+bool concerns(const Property& law, const Output& output, const NotedCall& call) {
   if (call.operation == output.record) return true;
   for (const Formed& f : law.statement().formed)
     if (f.quantity == output.record && std::ranges::find(f.from, call.operation) != f.from.end()) return true;
   return false;
 }
 
-template <class S>
-NotedCase noted_in(const TypedSeries<S>& series, const CaseId& id, std::size_t output) {
+NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   const Output& of = series.outputs.at(output);
-  const std::vector<S> x = series.parsed(id);
-  const Subject<S>& tested = series.tested_subject();
+  const std::vector<double> x = series.parsed(id);
+  Subject subject = series.tested_subject();
   const Noting noting;
-  const Wrapped<S, Noting> wrapped(tested.operations, noting);
-  const Subject<S> subject{tested.name, tested.version, wrapped.operations()};
-  const typename Wrapped<S, Noting>::Active active(wrapped);
+  subject.operations = hooked(subject.operations, noting);
   // Judged by error / kappa, so that kappa is known under the forward rule, too.
   static const Budget ratio{"", "", "any", Rule::excess, std::numeric_limits<double>::infinity(), ""};
   Limits limits = series.limits();
   for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
-  Judge judge(limits, series.bands(), series.eps, 0, true);
+  Judge judge(limits, series.format(), 0, true);
   Witness witness{of.operation, of.block, {}, {}};
   Witness* const before = std::exchange(Witness::current(), &witness);
   try {
@@ -96,13 +92,13 @@ NotedCase noted_in(const TypedSeries<S>& series, const CaseId& id, std::size_t o
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   CaseId raw = id;
   if (!id.raw) raw.raw = true, raw.input = series.input(id);
-  return with_scalar(series, [&](const auto& s) { return noted_in(s, raw, output); });
+  return noted_in(series, raw, output);
 }
 
 std::vector<oracles::Real> expected_of(const NotedCall& call) try {
   if (call.arguments.empty() || !call.operation->results.size()) return {};
   std::vector<oracles::Real> x;
-  for (const float128& number : call.arguments) x.push_back(oracles::exact<oracles::Real>(number));
+  for (const double number : call.arguments) x.emplace_back(number);
   return conventions::exact_result(*call.operation, x);
 } catch (const std::exception&) {  // it is not in the oracle's list, or the oracle cannot decide
   return {};
@@ -110,18 +106,16 @@ std::vector<oracles::Real> expected_of(const NotedCall& call) try {
 
 std::vector<double> result_of(const Series& series, const Operation& operation,
                               const std::vector<double>& arguments) {
-  return with_scalar(series, [&]<class S>(const TypedSeries<S>& s) {
-    std::vector<double> result;
-    const Operations<S>& o = s.tested_subject().operations;
-    SpatialSlots<S>::for_each([&](const auto& one) {
-      if (static_cast<const Operation*>(&one) != &operation || !o[one]) return;
-      try {
-        for (const S& x : adapters::called<S>(o[one], arguments)) result.push_back(static_cast<double>(x));
-      } catch (const std::exception&) {  // refused
-      }
-    });
-    return result;
+  std::vector<double> result;
+  const Operations& o = series.tested_subject().operations;
+  Operations::for_each([&](const auto& one) {
+    if (static_cast<const Operation*>(&one) != &operation || !o[one]) return;
+    try {
+      result = adapters::called<double>(o[one], arguments);
+    } catch (const std::exception&) {  // refused
+    }
   });
+  return result;
 }
 
 }  // namespace liecheck::properties

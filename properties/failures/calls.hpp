@@ -11,7 +11,7 @@ namespace liecheck::properties {
 /// One call. The numbers are consecutive, as docs/adapters.md orders them.
 struct NotedCall {
   const Operation* operation;
-  std::vector<float128> arguments, result;
+  std::vector<double> arguments, result;
   std::string thrown;  ///< the message of what the call threw, or ""
 };
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <conventions/values.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
@@ -47,12 +47,9 @@ std::string own_program(const Series& series, const NotedCall& call) {
   const auto found =
       std::ranges::find(own->statements, call.operation, [](const auto& s) { return s.first; });
   if (found == own->statements.end()) return "";
-  const std::vector<std::string> numbers = with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
-    std::vector<std::string> all;
-    for (const float128& x : call.arguments)
-      all.push_back(hexadecimal_float(static_cast<S>(x)) + (std::is_same_v<S, float> ? "f" : ""));
-    return all;
-  });
+  std::vector<std::string> numbers;
+  for (const double x : call.arguments)
+    numbers.push_back(hexadecimal_float(x) + (series.format().is_float() ? "f" : ""));
   std::string text = fmt::format(
       "// c++ -std=c++20 $(pkg-config --cflags eigen3) case.cpp{}{}\n{}#include <Eigen/Core>\n"
       "#include <iostream>\nint main() {{\n  using S = {};\n",

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <regex>
 #include <set>
 
@@ -65,11 +65,9 @@ std::string call_of(const Series& series, const Operation& operation) {
 
 /// The law's own program, or "" if it has none.
 std::string law_program(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
-  return with_scalar(series, [&]<class S>(const TypedSeries<S>& typed) {
-    std::vector<S> x;
-    for (const std::string& text : numbers) x.push_back(parse_float<S>(text));
-    return typed.tested_law().program(output, x);
-  });
+  std::vector<double> x;
+  for (const std::string& text : numbers) x.push_back(parse_float(text, series.format()));
+  return series.tested_law().program(output, x);
 }
 
 }  // namespace
@@ -88,18 +86,16 @@ std::string program_of(const Series& series, const Output& output, const std::ve
     return own.insert(own.find(main) + main.size(), note());
   }
   const Operation& operation = *output.record;
-  const bool wide = series.scalar == "float128", robot = series.robot != "none";
+  const bool robot = series.robot != "none";
   std::string text = fmt::format(
-      "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}{}\n"
-      "#include <iostream>\n{}#include <liecheck/{}>\nusing namespace liecheck;\nint main() {{\n  using S = "
+      "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}\n"
+      "#include <iostream>\n#include <liecheck/{}>\nusing namespace liecheck;\nint main() {{\n  using S = "
       "{};\n",
-      wide ? " -lquadmath" : "", robot ? " -lliecheck_lib -ltinyxml2" : "",
-      wide ? "#include <boost/multiprecision/eigen.hpp>\n#include <boost/multiprecision/float128.hpp>\n" : "",
-      operation.call.header, wide ? "boost::multiprecision::float128" : series.scalar);
+      robot ? " -lliecheck_lib -ltinyxml2" : "", operation.call.header, series.scalar);
   if (robot)
     text += fmt::format("  const auto model = buildModelFromUrdf(\"ROBOT.urdf\", RootJoint::{}).cast<S>();\n",
                         series.robot_fixed ? "Fixed" : "FreeFlyer");
-  const char* suffix = wide ? "Q" : series.scalar == "float" ? "f" : "";
+  const char* suffix = series.format().is_float() ? "f" : "";
   std::set<std::string_view> needed;
   std::string variables;
   for (const Layout* argument : operation.arguments) {

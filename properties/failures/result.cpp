@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
@@ -25,29 +25,28 @@ constexpr std::size_t most_inputs =
 /// A number that was returned, and the exact one.
 struct Pair {
   std::string name;
-  float128 got;
+  double got;
   Real exact;
   double apart = 0;  ///< relative to the norm of its part; infinite if the number is not finite
 };
 
 /// The numbers from..to of a result, a part of it. Q and -Q are one rotation, and at pi phi and -phi are, too.
-void add_part(std::vector<Pair>& to, std::span<const float128> got, std::span<const Real> exact,
+void add_part(std::vector<Pair>& to, std::span<const double> got, std::span<const Real> exact,
               const std::function<std::string(std::size_t)>& name, bool either_sign) {
   Real size(0), along(0);
   bool finite = true;
   for (std::size_t i = 0; i < got.size(); ++i) {
-    finite = finite && isfinite(got[i]);
+    finite = finite && std::isfinite(got[i]);
     size += exact[i] * exact[i];
-    if (finite) along += exact[i] * oracles::exact<Real>(got[i]);
+    if (finite) along += exact[i] * Real(got[i]);
   }
   size = sqrt(size);
   const bool opposite = either_sign && finite && along < 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     Pair p{name(i), got[i], opposite ? Real(-exact[i]) : exact[i]};
-    p.apart =
-        isfinite(got[i])
-            ? static_cast<double>(Real(abs(oracles::exact<Real>(got[i]) - p.exact) / (size > 0 ? size : 1)))
-            : std::numeric_limits<double>::infinity();
+    p.apart = std::isfinite(got[i])
+                  ? static_cast<double>(Real(abs(Real(got[i]) - p.exact) / (size > 0 ? size : 1)))
+                  : std::numeric_limits<double>::infinity();
     to.push_back(p);
   }
 }
@@ -64,15 +63,15 @@ bool concerns(const Output& output, const Layout& layout, const Part& part) {
 }
 
 /// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
-std::vector<Real> on_the_side_of(const std::vector<float128>& got, std::vector<Real> exact,
+std::vector<Real> on_the_side_of(const std::vector<double>& got, std::vector<Real> exact,
                                  const Layout& layout) {
   const auto is = [](const Part& part, const char* unit) { return part.unit == unit && part.size == 3; };
   if (layout.parts.size() != 2 || !is(layout.parts[0], "m") || !is(layout.parts[1], "rad")) return exact;
   const auto rho = exact.begin(), phi = rho + 3;
   Real along(0), square(0);
   for (std::size_t i = 3; i < 6; ++i) {
-    if (!isfinite(got[i])) return exact;
-    along += oracles::exact<Real>(got[i]) * exact[i], square += exact[i] * exact[i];
+    if (!std::isfinite(got[i])) return exact;
+    along += Real(got[i]) * exact[i], square += exact[i] * exact[i];
   }
   if (along >= 0 || square < Real(9.8696)) return exact;
   const auto product = [](const std::vector<Real>& J, auto x) {
@@ -139,8 +138,8 @@ std::string others_of(const NotedCall& call, const std::vector<Real>& exact) {
 
 /// What a law on trees compares.
 std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& compared) {
-  std::vector<float128> computed;
-  for (const Real& x : compared.computed) computed.emplace_back(static_cast<float128>(x));
+  std::vector<double> computed;
+  for (const Real& x : compared.computed) computed.push_back(static_cast<double>(x));
   const Part& part = output.record->results[0]->parts[0];
   std::vector<Pair> all;
   add_part(
@@ -149,29 +148,32 @@ std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& comp
   return all;
 }
 
-template <class S>
-std::string lines_of(std::vector<Pair> all) {
+/// The scalar's number nearest to x.
+double nearest(const Scalar& scalar, const Real& x) {
+  return scalar.is_float() ? static_cast<float>(x) : static_cast<double>(x);
+}
+
+std::string lines_of(const Scalar& scalar, std::vector<Pair> all) {
   const std::size_t count = all.size();
-  const auto nearest = [](const Pair& p) { return static_cast<S>(p.exact); };
-  std::erase_if(all, [&](const Pair& p) { return static_cast<S>(p.got) == nearest(p); });
+  std::erase_if(all, [&](const Pair& p) { return scalar.rounded(p.got) == nearest(scalar, p.exact); });
   const std::size_t apart = all.size();
   if (apart == 0) return fmt::format("    the exact result, rounded\n");
   std::ranges::stable_sort(all, std::greater(), &Pair::apart);
   all.resize(std::min(apart, most_numbers));
-  constexpr int digits = sizeof(S) == 16 ? 36 : 17;
+  constexpr int digits = 17;
   const auto decimal = [&](const Pair& p) -> std::string {
-    if (isfinite(p.got)) return oracles::exact<Real>(p.got).str(digits);
-    return isnan(p.got) ? "NaN" : p.got > 0 ? "inf" : "-inf";
+    if (std::isfinite(p.got)) return Real(p.got).str(digits);
+    return std::isnan(p.got) ? "NaN" : p.got > 0 ? "inf" : "-inf";
   };
   std::size_t width = 0;
   for (const Pair& p : all) width = std::max({width, decimal(p).size(), p.exact.str(digits).size()});
   std::string text;
   for (const Pair& p : all) {
-    text += isfinite(p.got) ? fmt::format("    {:<12}got       {:<{}}  {}\n", p.name, decimal(p), width,
-                                          hexadecimal_float<S>(static_cast<S>(p.got)))
-                            : fmt::format("    {:<12}got       {}\n", p.name, decimal(p));
+    text += std::isfinite(p.got) ? fmt::format("    {:<12}got       {:<{}}  {}\n", p.name, decimal(p), width,
+                                               hexadecimal_float(scalar.rounded(p.got)))
+                                 : fmt::format("    {:<12}got       {}\n", p.name, decimal(p));
     text += fmt::format("    {:<12}expected  {:<{}}  {}\n", "", p.exact.str(digits), width,
-                        hexadecimal_float<S>(nearest(p)));
+                        hexadecimal_float(nearest(scalar, p.exact)));
   }
   if (apart > all.size())
     text += fmt::format("    {} of {} numbers differ; these differ most\n", apart, count);
@@ -183,16 +185,14 @@ std::string lines_of(std::vector<Pair> all) {
   return text;
 }
 
-std::string numbers_text(const Series& series, const std::vector<float128>& numbers) {
-  return with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
-    std::vector<std::string> text;
-    for (const float128& x : numbers) text.push_back(decimal_float<S>(static_cast<S>(x)));
-    return fmt::format("{}", fmt::join(text, ", "));
-  });
+std::string numbers_text(const Series& series, const std::vector<double>& numbers) {
+  std::vector<std::string> text;
+  for (const double x : numbers) text.push_back(decimal_float(x, series.format()));
+  return fmt::format("{}", fmt::join(text, ", "));
 }
 
 /// "exp6(xi)", with the arguments' numbers if they are not those of the input.
-std::string call_text(const Series& series, const NotedCall& call, const std::vector<float128>& input) {
+std::string call_text(const Series& series, const NotedCall& call, const std::vector<double>& input) {
   std::vector<std::string_view> names;
   for (const Layout* l : call.operation->arguments) names.push_back(l->name);
   std::string text = fmt::format("  call      {}({})", call.operation->name, fmt::join(names, ", "));
@@ -269,9 +269,7 @@ std::string input_text(const Series& series, const std::vector<std::string>& hex
   for (const Field& f : series.fields) {
     std::vector<std::string> decimals;
     for (int i = 0; i < f.size && from < hexadecimal.size(); ++i)
-      decimals.push_back(with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
-        return decimal_float(parse_float<S>(hexadecimal[from++]));
-      }));
+      decimals.push_back(decimal_float(parse_float(hexadecimal[from++], series.format()), series.format()));
     text += fmt::format("  {:<10}{} = {}{}\n", text.empty() ? "input" : "", f.name, fmt::join(decimals, ", "),
                         f.unit.empty() || f.unit == "1" ? "" : fmt::format("  [{}]", f.unit));
   }
@@ -280,28 +278,26 @@ std::string input_text(const Series& series, const std::vector<std::string>& hex
 
 std::string comparison_text(const Series& series, const Output& output, const NotedCase& noted,
                             const std::vector<std::string>& input) {
-  return with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
-    std::vector<float128> given;
-    for (const std::string& x : input) given.emplace_back(parse_float<S>(x));
-    std::string text;
-    for (const NotedCall* call : shown(output, noted)) {
-      if (noted.compared.exact.empty() || !call->thrown.empty()) text += call_text(series, *call, given);
-      if (!call->thrown.empty()) {
-        text += fmt::format("    threw     {}\n", printable(call->thrown));
-        continue;
-      }
-      const std::vector<Real> exact = expected_of(*call);
-      if (!exact.empty() && exact.size() == call->result.size())
-        text += lines_of<S>(pairs_of(output, noted, *call, exact)) + others_of(*call, exact);
-      else if (noted.compared.exact.empty())
-        text += call->result.size() <= most_inputs
-                    ? fmt::format("    got       {}\n", numbers_text(series, call->result))
-                    : fmt::format("    got       {} numbers\n", call->result.size());
+  std::vector<double> given;
+  for (const std::string& x : input) given.push_back(parse_float(x, series.format()));
+  std::string text;
+  for (const NotedCall* call : shown(output, noted)) {
+    if (noted.compared.exact.empty() || !call->thrown.empty()) text += call_text(series, *call, given);
+    if (!call->thrown.empty()) {
+      text += fmt::format("    threw     {}\n", printable(call->thrown));
+      continue;
     }
-    if (noted.compared.exact.empty()) return text;
-    return text + fmt::format("  result    {} of {}\n", output.record->results[0]->name, output.operation) +
-           lines_of<S>(pairs_of_law(output, noted.compared));
-  });
+    const std::vector<Real> exact = expected_of(*call);
+    if (!exact.empty() && exact.size() == call->result.size())
+      text += lines_of(series.format(), pairs_of(output, noted, *call, exact)) + others_of(*call, exact);
+    else if (noted.compared.exact.empty())
+      text += call->result.size() <= most_inputs
+                  ? fmt::format("    got       {}\n", numbers_text(series, call->result))
+                  : fmt::format("    got       {} numbers\n", call->result.size());
+  }
+  if (noted.compared.exact.empty()) return text;
+  return text + fmt::format("  result    {} of {}\n", output.record->results[0]->name, output.operation) +
+         lines_of(series.format(), pairs_of_law(output, noted.compared));
 }
 
 Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
@@ -319,15 +315,13 @@ Comparison comparison_of(const Series& series, const Output& output, const Noted
   }
   std::ranges::stable_sort(pairs, std::greater(), &Pair::apart);
   pairs.resize(std::min(pairs.size(), most));
-  with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
-    for (const Pair& p : pairs)
-      all.numbers.push_back({p.name,
-                             isfinite(p.got) ? hexadecimal_float<S>(static_cast<S>(p.got))
-                             : isnan(p.got)  ? "nan"
-                             : p.got > 0     ? "inf"
-                                             : "-inf",
-                             hexadecimal_float<S>(static_cast<S>(p.exact))});
-  });
+  for (const Pair& p : pairs)
+    all.numbers.push_back({p.name,
+                           std::isfinite(p.got) ? hexadecimal_float(series.format().rounded(p.got))
+                           : std::isnan(p.got)  ? "nan"
+                           : p.got > 0          ? "inf"
+                                                : "-inf",
+                           hexadecimal_float(nearest(series.format(), p.exact))});
   return all;
 }
 

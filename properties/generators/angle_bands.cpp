@@ -38,6 +38,11 @@ T Bands::Edge::as() const {
     return {rounded.high, 2 * std::fabs(rounded.low)};
 }
 
+const Bands& Bands::of(const oracles::Scalar& scalar) {
+  static const Bands of_float(-126, 24), of_double(-1022, 53);
+  return scalar.is_float() ? of_float : of_double;
+}
+
 // min_exponent: 2^min_exponent is the smallest normal number.
 Bands::Bands(int min_exponent, int digits) {
   const auto push = [this](std::string name, Axis axis, double low, double high,
@@ -45,7 +50,7 @@ Bands::Bands(int min_exponent, int digits) {
     bands_.push_back({std::move(name), axis, low, high, region});
     return bands_.size() - 1;
   };
-  const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 7, 15, 34
+  const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 7, 15
   push("all", Axis::none, 0, 0);
 
   first_theta_ = push("0", Axis::theta, 0, 0);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <oracles/number.hpp>
+#include <oracles/scalar.hpp>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,7 @@ struct Band {
 /// The bands of one scalar, in the order of the report. Index 0 is "all", for cases without an angle.
 class Bands {
  public:
-  template <class S>
-  static const Bands& of() {
-    static const Bands bands = [] {
-      using L = std::numeric_limits<S>;
-      return Bands(L::min_exponent - 1, L::digits);
-    }();
-    return bands;
-  }
+  static const Bands& of(const oracles::Scalar& scalar);
 
   const std::vector<Band>& all() const { return bands_; }
   const Band& operator[](std::size_t i) const { return bands_[i]; }

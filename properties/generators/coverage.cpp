@@ -2,29 +2,29 @@
 
 #include <fmt/format.h>
 #include <bit>
-#include <boost/multiprecision/float128.hpp>
 #include <charconv>
 
 namespace liecheck::properties {
 
-using float128 = boost::multiprecision::float128;
-
-template <class S>
-void Coverage::add(const std::vector<Field>& fields, const std::vector<S>& input, MeasuredOutputs outputs) {
+void Coverage::add(const std::vector<Field>& fields, const std::vector<double>& input,
+                   const oracles::Scalar& scalar, MeasuredOutputs outputs) {
   Counts& counts = counts_[outputs];
   if (counts.classes.size() < fields.size()) counts.classes.resize(fields.size());
   ++counts.cases;
-  std::size_t from = 0;
-  std::array<std::span<const S>, kind_count> last{};  // the last group of each kind
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const std::span<const S> x(input.data() + from, static_cast<std::size_t>(fields[f].size));
-    auto& earlier = last[static_cast<std::size_t>(fields[f].kind)];
-    std::uint32_t c =
-        classify<S>(fields[f].kind, x, fields[f].reach == Reach::beside ? earlier : std::span<const S>());
-    for (; c; c &= c - 1) ++counts.classes[f][static_cast<std::size_t>(std::countr_zero(c))];
-    earlier = x;
-    from += x.size();
-  }
+  scalar.with([&]<class S>() {
+    const std::vector<S> numbers = oracles::numbers_in<S>(input);
+    std::size_t from = 0;
+    std::array<std::span<const S>, kind_count> last{};  // the last group of each kind
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      const std::span<const S> x(numbers.data() + from, static_cast<std::size_t>(fields[f].size));
+      auto& earlier = last[static_cast<std::size_t>(fields[f].kind)];
+      std::uint32_t c =
+          classify<S>(fields[f].kind, x, fields[f].reach == Reach::beside ? earlier : std::span<const S>());
+      for (; c; c &= c - 1) ++counts.classes[f][static_cast<std::size_t>(std::countr_zero(c))];
+      earlier = x;
+      from += x.size();
+    }
+  });
 }
 
 void Coverage::merge(const Coverage& o) {
@@ -36,10 +36,6 @@ void Coverage::merge(const Coverage& o) {
       for (std::size_t c = 0; c < more.classes[f].size(); ++c) counts.classes[f][c] += more.classes[f][c];
   }
 }
-
-template void Coverage::add(const std::vector<Field>&, const std::vector<float>&, MeasuredOutputs);
-template void Coverage::add(const std::vector<Field>&, const std::vector<double>&, MeasuredOutputs);
-template void Coverage::add(const std::vector<Field>&, const std::vector<float128>&, MeasuredOutputs);
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <generators/input_classes.hpp>
 #include <map>
+#include <oracles/scalar.hpp>
 
 namespace liecheck::properties {
 
@@ -20,8 +21,8 @@ struct MeasuredOutputs {
 
 class Coverage {
  public:
-  template <class S>
-  void add(const std::vector<Field>& fields, const std::vector<S>& input, MeasuredOutputs outputs = {});
+  void add(const std::vector<Field>& fields, const std::vector<double>& input, const oracles::Scalar& scalar,
+           MeasuredOutputs outputs = {});
   void merge(const Coverage& o);
   /// text() writes all counts as "MEASURED,ILL_POSED,OUTSIDE:CASES;N,N,...;N,...|...", for each set of
   /// outputs. parse() returns false for any other text.

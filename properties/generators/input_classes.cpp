@@ -1,14 +1,11 @@
 #include <generators/input_classes.hpp>
 
 #include <algorithm>
-#include <boost/multiprecision/float128.hpp>
 #include <generators/rotations.hpp>
 
 namespace liecheck::properties {
 
 namespace {
-
-using float128 = boost::multiprecision::float128;
 
 // Each list is in the order of the bits below.
 const std::vector<InputClass> vectors = {{"zero", 80},
@@ -183,7 +180,7 @@ std::uint32_t of_rotation_vector(std::span<const S> x, std::span<const S>) {
 template <class S>
 std::uint32_t of_quaternion(std::span<const S> q, std::span<const S> earlier) {
   using std::fabs;
-  using W = std::conditional_t<std::is_same_v<S, float128>, S, long double>;
+  using W = long double;
   static const S millionth = S(1) / S(1000000), thousandth = S(1) / S(1000);
   static const W eps = W(std::numeric_limits<S>::epsilon());
   const auto v = q.template first<3>();
@@ -328,7 +325,7 @@ std::uint32_t of_fraction(std::span<const S> x, std::span<const S>) {
 template <class S>
 std::uint32_t of_angle(std::span<const S> x, std::span<const S>) {
   using std::fabs;
-  using W = std::conditional_t<std::is_same_v<S, float128>, S, long double>;
+  using W = long double;
   static const W quarter = boost::math::constants::half_pi<W>(), small = W(1) / W(1000),
                  ulps = W(16) * W(std::numeric_limits<S>::epsilon());
   std::uint32_t c = 0;
@@ -389,6 +386,5 @@ std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earli
 
 template std::uint32_t classify(Kind, std::span<const float>, std::span<const float>);
 template std::uint32_t classify(Kind, std::span<const double>, std::span<const double>);
-template std::uint32_t classify(Kind, std::span<const float128>, std::span<const float128>);
 
 }  // namespace liecheck::properties

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <generators/input_layout.hpp>
+#include <oracles/scalar.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,10 +32,8 @@ S few_digits(const S& x, int digits) {
   std::snprintf(text, sizeof text, "%.*e", digits - 1, d);
   if constexpr (std::is_same_v<S, float>)
     return std::strtof(text, nullptr);
-  else if constexpr (std::is_same_v<S, double>)
-    return std::strtod(text, nullptr);
   else
-    return S(static_cast<const char*>(text));
+    return std::strtod(text, nullptr);
 }
 
 template <class S>
@@ -220,6 +219,16 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
     default:
       return {};
   }
+}
+
+/// The same for numbers of the scalar, as doubles.
+inline Candidates<double> candidates(const oracles::Scalar& scalar, const std::vector<double>& g, Kind kind) {
+  Candidates<double> all;
+  scalar.with([&]<class S>() {
+    for (const std::vector<S>& x : candidates(oracles::numbers_in<S>(g), kind))
+      all.push_back(oracles::as_doubles(x));
+  });
+  return all;
 }
 
 }  // namespace liecheck::properties::shrinks

@@ -1,7 +1,7 @@
 #include <hard_cases/attempt.hpp>
 
 #include <algorithm>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <invariants/common.hpp>
 #include <oracles/linear_algebra.hpp>
 
@@ -13,49 +13,47 @@ namespace {
 // its result is judged by the rotation nearest to the stored numbers.
 
 /// f(is_quaternion, position, numbers) for every quaternion and rotation matrix of an input.
-template <class S, class F>
-void for_each_rotation(const std::vector<Field>& fields, const std::vector<S>& x, F f) {
+template <class F>
+void for_each_rotation(const std::vector<Field>& fields, const std::vector<double>& x, F f) {
   std::size_t from = 0;
   for (const Field& field : fields) {
     const auto begin = x.begin() + static_cast<std::ptrdiff_t>(from);
     if (field.kind == Kind::quaternion || field.kind == Kind::rotation_matrix)
-      f(field.kind == Kind::quaternion, from, std::vector<S>(begin, begin + field.size));
+      f(field.kind == Kind::quaternion, from, std::vector<double>(begin, begin + field.size));
     from += static_cast<std::size_t>(field.size);
   }
 }
 
 /// Replaces every finite rotation outside the domain by the identity. Returns whether there was one.
-template <class S>
-bool set_identity_where_off(const std::vector<Field>& fields, std::vector<S>& x) {
+bool set_identity_where_off(const Scalar& scalar, const std::vector<Field>& fields, std::vector<double>& x) {
   bool any = false;
-  for_each_rotation(fields, std::vector<S>(x),
-                    [&](bool quaternion, std::size_t from, const std::vector<S>& values) {
-                      using std::isfinite;
-                      for (const S& v : values)
-                        if (!isfinite(v)) return;
-                      Reader<S> read(values);
+  for_each_rotation(fields, std::vector<double>(x),
+                    [&](bool quaternion, std::size_t from, const std::vector<double>& values) {
+                      for (const double v : values)
+                        if (!std::isfinite(v)) return;
+                      Reader read(values);
                       bool off = false;
                       if (quaternion) {
-                        off = norm_defect_at<S>(values, 0) > 8;
+                        off = norm_defect_at(scalar, values, 0) > 8;
                       } else {
                         const auto R = oracles::exact_matrix<3, 3, Real>(read.take_matrix());
-                        off = oracles::orthogonality_defect<S>(R) > 8 || determinant(R, cofactors(R)) <= 0;
+                        off =
+                            oracles::orthogonality_defect(scalar, R) > 8 || determinant(R, cofactors(R)) <= 0;
                       }
                       if (!off) return;
                       any = true;
                       for (std::size_t i = 0; i < values.size(); ++i)
-                        x[from + i] = S((quaternion ? i == 3 : i % 4 == 0) ? 1 : 0);
+                        x[from + i] = (quaternion ? i == 3 : i % 4 == 0) ? 1 : 0;
                     });
   return any;
 }
 
 /// Calls the subject's checked entrance, whose exceptions pass through.
-template <class S>
-void check_entrance(const Operations<S>& o, const std::vector<Field>& fields, const std::vector<S>& x) {
+void check_entrance(const Operations& o, const std::vector<Field>& fields, const std::vector<double>& x) {
   if (!o.check_quaternion && !o.check_rotation) return;
-  for_each_rotation(fields, x, [&](bool quaternion, std::size_t, const std::vector<S>& values) {
-    Reader<S> read(values);
-    if (quaternion && o.check_quaternion) o.check_quaternion(read.template take<4>());
+  for_each_rotation(fields, x, [&](bool quaternion, std::size_t, const std::vector<double>& values) {
+    Reader read(values);
+    if (quaternion && o.check_quaternion) o.check_quaternion(read.take<4>());
     if (!quaternion && o.check_rotation) o.check_rotation(read.take_matrix());
   });
 }
@@ -66,22 +64,23 @@ bool of_result(Outcome outcome) {
   return outcome == measured || outcome == ill_posed || outcome == not_finite || outcome == wrong_branch;
 }
 
-template <class S>
-Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
+}  // namespace
+
+Trial attempt(const Series& series, const CaseId& address) {
   Trial trial;
-  std::vector<S> x;
+  std::vector<double> x;
   if (address.raw) {
     x = series.parsed(address);
-    std::vector<S> in_domain = x;
-    trial.in_domain = !set_identity_where_off(series.fields, in_domain);
+    std::vector<double> in_domain = x;
+    trial.in_domain = !set_identity_where_off(series.format(), series.fields, in_domain);
     series.check_valid(in_domain, address);
   } else {
     x = series.numbers(address);
   }
-  for (const S& v : x) trial.input.push_back(hexadecimal_float(v));
+  for (const double v : x) trial.input.push_back(hexadecimal_float(v));
   Judge balls = series.judge_of_balls();
   // The call of an operation has one result for all oracles.
-  const typename TypedSeries<S>::Checking checking(series, true);
+  const Series::Checking checking(series, true);
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);
@@ -111,12 +110,6 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   return trial;
 }
 
-}  // namespace
-
-Trial attempt(const Series& series, const CaseId& id) {
-  return with_scalar(series, [&](const auto& s) { return attempt_in(s, id); });
-}
-
 bool concerns(const HardCase& h, const Series& s) {
   return s.robot == "none" && std::ranges::count(h.properties, s.property) &&
          (h.scalars.empty() || std::ranges::count(h.scalars, s.scalar));
@@ -124,7 +117,7 @@ bool concerns(const HardCase& h, const Series& s) {
 
 CaseId raw_case(const Series& s, const HardCase& h) {
   CaseId id = s.id(0, 0);
-  id.raw = true, id.input = numbers_of(h, s.fields, format_of(s.scalar));
+  id.raw = true, id.input = numbers_of(h, s.fields, s.format());
   return id;
 }
 

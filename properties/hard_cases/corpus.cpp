@@ -43,7 +43,7 @@ void check_text(const std::string& place, const std::string& row) {
 
 /// The value of a field that a case leaves out: (1 + k, 2, 3 - 2 k) for the k-th vector, from 0; the
 /// identity; a zero rotation vector; the inertia of a unit ball.
-std::vector<std::string> default_value(const Field& field, int vectors_before, const Format& format) {
+std::vector<std::string> default_value(const Field& field, int vectors_before, const Scalar& scalar) {
   static const std::map<Kind, const char*> plain = {{Kind::rotation_vector, "0, 0, 0"},
                                                     {Kind::quaternion, "0, 0, 0, 1"},
                                                     {Kind::any_quaternion, "0, 0, 0, 1"},
@@ -52,13 +52,13 @@ std::vector<std::string> default_value(const Field& field, int vectors_before, c
                                                     {Kind::direction, "0, 0, 1"},
                                                     {Kind::fraction, "1/2"}};
   if (field.kind == Kind::vector && field.size == 3)
-    return evaluate(fmt::format("{}, 2, {}", 1 + vectors_before, 3 - 2 * vectors_before), format);
-  if (const auto found = plain.find(field.kind); found != plain.end()) return evaluate(found->second, format);
+    return evaluate(fmt::format("{}, 2, {}", 1 + vectors_before, 3 - 2 * vectors_before), scalar);
+  if (const auto found = plain.find(field.kind); found != plain.end()) return evaluate(found->second, scalar);
   throw std::invalid_argument(fmt::format("field {} must be given", field.name));
 }
 
 std::vector<std::string> named_numbers(const HardCase& c, const std::vector<Field>& fields,
-                                       const Format& format) {
+                                       const Scalar& scalar) {
   std::map<std::string, std::string> given;
   for (const std::string& part : split(c.input, ';')) {
     const auto equals = part.find('=');
@@ -78,7 +78,7 @@ std::vector<std::string> named_numbers(const HardCase& c, const std::vector<Fiel
   for (const Field& f : fields) {
     const auto found = given.find(f.name);
     const auto values =
-        found == given.end() ? default_value(f, vectors, format) : evaluate(trimmed(found->second), format);
+        found == given.end() ? default_value(f, vectors, scalar) : evaluate(trimmed(found->second), scalar);
     if (values.size() != static_cast<std::size_t>(f.size))
       throw std::invalid_argument(fmt::format("field {} takes {} numbers, {} were given: '{}'", f.name,
                                               f.size, values.size(), trimmed(found->second)));
@@ -122,7 +122,7 @@ std::vector<HardCase> parse_corpus(const std::string& file, const std::string& t
     c.properties = split(columns[1].substr(0, in_scalars), ',');
     if (in_scalars != std::string::npos) c.scalars = split(columns[1].substr(in_scalars + 4), ',');
     for (const std::string& scalar : c.scalars) try {
-        format_of(scalar);
+        oracles::scalar_named(scalar);
       } catch (const std::invalid_argument& e) {
         refuse(c.place(), e.what());
       }
@@ -169,10 +169,10 @@ void check_names_differ(const std::vector<HardCase>& cases) {
 }
 
 std::vector<std::string> numbers_of(const HardCase& c, const std::vector<Field>& fields,
-                                    const Format& format) {
+                                    const Scalar& scalar) {
   try {
-    if (c.input.find('=') != std::string::npos) return named_numbers(c, fields, format);
-    const auto all = evaluate(c.input, format);
+    if (c.input.find('=') != std::string::npos) return named_numbers(c, fields, scalar);
+    const auto all = evaluate(c.input, scalar);
     std::size_t expected = 0;
     for (const Field& f : fields) expected += static_cast<std::size_t>(f.size);
     if (all.size() != expected)
@@ -180,7 +180,7 @@ std::vector<std::string> numbers_of(const HardCase& c, const std::vector<Field>&
           fmt::format("{} numbers are needed, {} were given: '{}'", expected, all.size(), c.input));
     return all;
   } catch (const std::invalid_argument& e) {
-    refuse(c.place(), fmt::format("{} in {}: {}", c.name, format.name, e.what()));
+    refuse(c.place(), fmt::format("{} in {}: {}", c.name, scalar.name, e.what()));
   }
 }
 

@@ -29,6 +29,6 @@ void check_names_differ(const std::vector<HardCase>& cases);
 /// A case's numbers in a scalar, in the order of a law's fields, as hexadecimal floats that the scalar holds
 /// exactly. Throws std::invalid_argument with file, line and value.
 std::vector<std::string> numbers_of(const HardCase& c, const std::vector<Field>& fields,
-                                    const Format& format);
+                                    const Scalar& scalar);
 
 }  // namespace liecheck::properties

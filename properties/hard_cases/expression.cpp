@@ -6,13 +6,13 @@
 #include <campaign/case_id.hpp>
 #include <cctype>
 #include <oracles/number.hpp>
+#include <oracles/real.hpp>
 #include <stdexcept>
 
 namespace liecheck::properties {
 
 namespace {
 
-using boost::multiprecision::float128;
 using Number = oracles::Real100;
 using Numbers = std::vector<Number>;
 
@@ -21,12 +21,12 @@ Number power_of_two(int e) {
 }
 
 /// The spacing of the format at x.
-Number ulp(const Number& x, const Format& f) {
-  return power_of_two(std::max(oracles::exponent_of(x), f.min_exponent + 1) - f.digits);
+Number ulp(const Number& x, const Scalar& f) {
+  return power_of_two(std::max(oracles::exponent_of(x), f.min_exponent) - f.digits);
 }
 
 /// x rounded to nearest, ties to even, with the sign of zero. The result may be 2^max_exponent, beyond f.
-Number rounded(const Number& x, const Format& f) {
+Number rounded(const Number& x, const Scalar& f) {
   if (x == 0) return x;
   const Number unit = ulp(x, f), scaled = abs(x) / unit, down = floor(scaled), rest = scaled - down;
   const Number half = Number(1) / 2;
@@ -36,7 +36,7 @@ Number rounded(const Number& x, const Format& f) {
 }
 
 /// x rounded to f, then moved by k neighbours towards +infinity (towards -infinity for k < 0).
-Number stepped(const Number& x, long k, const Format& f) {
+Number stepped(const Number& x, long k, const Scalar& f) {
   Number y = rounded(x, f);
   for (long i = 0; i < std::abs(k); ++i) {
     // The spacing below a power of two is half of that above it.
@@ -44,28 +44,26 @@ Number stepped(const Number& x, long k, const Format& f) {
     const bool away = y == 0 || (y > 0) == (k > 0);
     Number step = outward;
     if (!away && abs(y) == power_of_two(oracles::exponent_of(y) - 1) &&
-        oracles::exponent_of(y) - 1 > f.min_exponent)
+        oracles::exponent_of(y) > f.min_exponent)
       step = outward / 2;
     y = k > 0 ? Number(y + step) : Number(y - step);
   }
   return y;
 }
 
-float128 to_float128(const Number& x) {  // exact for at most 113 bits
-  Number rest = x;
-  float128 sum = 0;
-  for (int part = 0; part < 4 && rest != 0; ++part) {
-    const int e = oracles::exponent_of(rest);
-    const double chunk = static_cast<double>(Number(trunc(Number(ldexp(rest, 53 - e)))));
-    sum += ldexp(float128(chunk), e - 53);
-    rest -= ldexp(Number(chunk), e - 53);
-  }
-  return x == 0 && mpfr_signbit(x.backend().data()) ? float128(-0.0) : sum;
+/// A number as it was typed, in decimal or hexadecimal, to 100 digits. Throws std::invalid_argument.
+Number number_of(const std::string& word) {
+  Number value;
+  char* end = nullptr;
+  mpfr_strtofr(value.backend().data(), word.c_str(), &end, 0, MPFR_RNDN);
+  if (end != word.c_str() + word.size() || !isfinite(value))
+    throw std::invalid_argument(fmt::format("not a number: '{}'", word));
+  return value;
 }
 
 class Parser {
  public:
-  Parser(std::string_view text, const Format& format) : text_(text), f_(format) {}
+  Parser(std::string_view text, const Scalar& format) : text_(text), f_(format) {}
 
   Numbers whole() {
     Numbers all = list([this](std::size_t from, const Numbers& x) { check_literal(from, x); });
@@ -213,9 +211,7 @@ class Parser {
     if (word.size() > 60) fail("a number is at most 60 characters long");
     Number value;
     try {
-      value = oracles::exact<Number>(parse_float<float128>(word));
-      // A decimal, which parse_float has checked, is read at 100 digits, so that 0.1 is rounded only once.
-      if (!hexadecimal) value = Number(word);
+      value = number_of(word);
     } catch (const std::exception& e) {
       fail(e.what());
     }
@@ -227,8 +223,8 @@ class Parser {
   Number constant(const std::string& name) const {
     if (name == "pi") return boost::math::constants::pi<Number>();
     if (name == "eps") return power_of_two(1 - f_.digits);
-    if (name == "min_normal") return power_of_two(f_.min_exponent);
-    if (name == "denorm_min") return power_of_two(f_.min_exponent + 1 - f_.digits);
+    if (name == "min_normal") return Number(f_.min);
+    if (name == "denorm_min") return power_of_two(f_.min_exponent - f_.digits);
     if (name == "max") return power_of_two(f_.max_exponent) - power_of_two(f_.max_exponent - f_.digits);
     fail(
         fmt::format("'{}' is unknown; constants: pi, eps, min_normal, denorm_min, max; functions: sqrt, sin, "
@@ -291,34 +287,28 @@ class Parser {
   }
 
   std::string_view text_;
-  const Format& f_;
+  const Scalar& f_;
   std::size_t at_ = 0, literal_start_ = 0, literal_end_ = 0;  ///< the last two: of the last literal
   int depth_ = 0;
 };
 
 }  // namespace
 
-Format format_of(const std::string& scalar) {
-  if (scalar == "float") return {scalar, 24, -126, 128};
-  if (scalar == "double") return {scalar, 53, -1022, 1024};
-  if (scalar == "float128") return {scalar, 113, -16382, 16384};
-  throw std::invalid_argument(fmt::format("unknown scalar '{}'; known: float, double, float128", scalar));
-}
-
-std::vector<std::string> evaluate(std::string_view text, const Format& format) {
-  const Numbers values = Parser(text, format).whole();
+std::vector<std::string> evaluate(std::string_view text, const Scalar& scalar) {
+  const Numbers values = Parser(text, scalar).whole();
   std::vector<std::string> all;
   bool zero = true, meant = false;
   for (const Number& x : values) {
-    const Number y = rounded(x, format);
-    if (abs(y) >= power_of_two(format.max_exponent))
+    const Number y = rounded(x, scalar);
+    if (abs(y) >= power_of_two(scalar.max_exponent))
       throw std::invalid_argument(
-          fmt::format("'{}': {} is beyond the range of {}", text, static_cast<double>(x), format.name));
+          fmt::format("'{}': {} is beyond the range of {}", text, static_cast<double>(x), scalar.name));
     zero = zero && y == 0;
     meant = meant || x != 0;
-    all.push_back(hexadecimal_float(to_float128(y)));
+    all.push_back(
+        hexadecimal_float(y == 0 && mpfr_signbit(y.backend().data()) ? -0.0 : static_cast<double>(y)));
   }
-  if (zero && meant) throw std::invalid_argument(fmt::format("'{}' rounds to zero in {}", text, format.name));
+  if (zero && meant) throw std::invalid_argument(fmt::format("'{}' rounds to zero in {}", text, scalar.name));
   return all;
 }
 

@@ -6,25 +6,19 @@
 // next number above it. The constants eps, min_normal, denorm_min and max and the functions round, nextup,
 // nextdown and scaled depend on the scalar.
 
+#include <oracles/scalar.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace liecheck::properties {
 
-/// The binary format to which an expression is rounded. Normal |x| are in [2^min_exponent, 2^max_exponent).
-struct Format {
-  std::string name;
-  int digits = 0, min_exponent = 0, max_exponent = 0;
-};
+using oracles::Scalar;
 
-/// "float", "double" or "float128". Throws std::invalid_argument naming the text.
-Format format_of(const std::string& scalar);
-
-/// The numbers of a comma-separated list, each a hexadecimal float that the format holds exactly. Throws
-/// std::invalid_argument with the place of a syntax error, an unknown name or a number beyond the format's
+/// The numbers of a comma-separated list, each a hexadecimal float that the scalar holds exactly. Throws
+/// std::invalid_argument with the place of a syntax error, an unknown name or a number beyond the scalar's
 /// range. Also throws for a number that was typed and rounds to zero, and if all numbers of the list round to
 /// zero but not all are zero.
-std::vector<std::string> evaluate(std::string_view text, const Format& format);
+std::vector<std::string> evaluate(std::string_view text, const Scalar& scalar);
 
 }  // namespace liecheck::properties

@@ -107,7 +107,7 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
               "{}: property {} depends on the robot: no input fits every robot", c.place(), property));
         task.series.push_back(s.get());
         auto& input = task.row.input[s->scalar];
-        if (input.empty()) input = numbers_of(c, s->fields, format_of(s->scalar));
+        if (input.empty()) input = numbers_of(c, s->fields, s->format());
       }
       if (!task.series.empty()) tasks.push_back(std::move(task));
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <campaign/typed_series.hpp>
 #include <conventions/reference.hpp>
 #include <hard_cases/attempt.hpp>
 #include <limits>
@@ -30,10 +29,9 @@ bool is_shared(const Operation& o) {
 }
 
 /// The arguments of an operation: those fields that have the names of its parts. Nothing if one is missing.
-template <class S>
-std::optional<std::vector<S>> arguments_of(const Operation& o, const std::vector<Field>& fields,
-                                           const std::vector<S>& x) {
-  std::vector<S> all;
+std::optional<std::vector<double>> arguments_of(const Operation& o, const std::vector<Field>& fields,
+                                                const std::vector<double>& x) {
+  std::vector<double> all;
   for (const Layout* argument : o.arguments)
     for (const Part& part : argument->parts) {
       std::size_t at = 0;
@@ -53,8 +51,7 @@ std::optional<std::vector<S>> arguments_of(const Operation& o, const std::vector
 }
 
 /// kappa of each operation in one case, the largest of its blocks; below 0 where the oracles have no result.
-template <class S>
-std::map<std::string_view, double> kappas(const TypedSeries<S>& s, const std::vector<S>& x) {
+std::map<std::string_view, double> kappas(const Series& s, const std::vector<double>& x) {
   static const Budget ratio{"", "", "any", Rule::excess, std::numeric_limits<double>::infinity(), ""};
   Limits limits = s.limits();
   for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
@@ -67,10 +64,9 @@ std::map<std::string_view, double> kappas(const TypedSeries<S>& s, const std::ve
   return all;
 }
 
-template <class S>
-std::vector<std::string> exact_of(const Operation& o, const std::vector<S>& arguments) {
+std::vector<std::string> exact_of(const Operation& o, const std::vector<double>& arguments) {
   std::vector<Real> x;
-  for (const S& number : arguments) x.push_back(oracles::exact<Real>(number));
+  for (const double number : arguments) x.emplace_back(number);
   std::vector<std::string> text;
   for (const Real& number : conventions::exact_result(o, x)) {
     if (!boost::multiprecision::isfinite(number)) throw oracles::Undecided();
@@ -88,8 +84,32 @@ json parts_of(const Few<const Layout*, 6>& layouts) {
 
 class Collector {
  public:
-  void add(const Series& series, const HardCase& h) {
-    with_scalar(series, [&](const auto& s) { add_in(s, h); });
+  void add(const Series& s, const HardCase& h) {
+    const std::vector<double> x = s.parsed(raw_case(s, h));
+    std::map<std::string_view, double> kappa;
+    std::set<const Operation*, ByName> operations;
+    for (const Output& o : s.outputs) operations.insert(o.record);
+    for (const Operation* o : operations) {
+      const auto arguments = is_shared(*o) ? arguments_of(*o, s.fields, x) : std::nullopt;
+      if (!arguments || !seen_.insert(fmt::format("{} {} {}", h.name, o->name, s.scalar)).second) continue;
+      if (kappa.empty()) kappa = kappas(s, x);
+      try {
+        const double k = kappa.contains(o->name) ? kappa.at(o->name) : 0;
+        if (k < 0) throw oracles::Undecided();
+        std::vector<std::string> input;
+        for (const double number : *arguments) input.push_back(hexadecimal_float(number));
+        lines_[o].push_back(dumped({{"name", h.name},
+                                    {"class", h.hard_class},
+                                    {"origin", h.origin},
+                                    {"scalar", s.scalar},
+                                    {"kappa", number(std::stod(fmt::format("{:.3g}", k)))},
+                                    {"input", input},
+                                    {"exact", exact_of(*o, *arguments)}}));
+        names_.insert(h.name);
+      } catch (const std::exception&) {  // no rotation, or the oracles disagree
+        ++corpus_.unresolved;
+      }
+    }
   }
   SharedCorpus corpus() {
     for (const auto& [operation, lines] : lines_) {
@@ -112,35 +132,6 @@ class Collector {
   struct ByName {
     bool operator()(const Operation* a, const Operation* b) const { return a->name < b->name; }
   };
-
-  template <class S>
-  void add_in(const TypedSeries<S>& s, const HardCase& h) {
-    const std::vector<S> x = s.parsed(raw_case(s, h));
-    std::map<std::string_view, double> kappa;
-    std::set<const Operation*, ByName> operations;
-    for (const Output& o : s.outputs) operations.insert(o.record);
-    for (const Operation* o : operations) {
-      const auto arguments = is_shared(*o) ? arguments_of(*o, s.fields, x) : std::nullopt;
-      if (!arguments || !seen_.insert(fmt::format("{} {} {}", h.name, o->name, s.scalar)).second) continue;
-      if (kappa.empty()) kappa = kappas(s, x);
-      try {
-        const double k = kappa.contains(o->name) ? kappa.at(o->name) : 0;
-        if (k < 0) throw oracles::Undecided();
-        std::vector<std::string> input;
-        for (const S& number : *arguments) input.push_back(hexadecimal_float(number));
-        lines_[o].push_back(dumped({{"name", h.name},
-                                    {"class", h.hard_class},
-                                    {"origin", h.origin},
-                                    {"scalar", s.scalar},
-                                    {"kappa", number(std::stod(fmt::format("{:.3g}", k)))},
-                                    {"input", input},
-                                    {"exact", exact_of(*o, *arguments)}}));
-        names_.insert(h.name);
-      } catch (const std::exception&) {  // no rotation, or the oracles disagree
-        ++corpus_.unresolved;
-      }
-    }
-  }
 
   SharedCorpus corpus_;
   std::map<const Operation*, std::vector<std::string>, ByName> lines_;

@@ -9,8 +9,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class AnyNorm final : public Law<AnyNorm, S> {
+class AnyNorm final : public Law<AnyNorm> {
  public:
   static constexpr Statement stated{
       .name = "any_norm",
@@ -22,61 +21,63 @@ class AnyNorm final : public Law<AnyNorm, S> {
                   op::log3_any_norm[block::rotation_vector]},
       .fields = {{"Q", Kind::any_quaternion, 4, "1"}, {"p", Kind::vector, 3, "m", Reach::full}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto Q = unit_quaternion<S>(source);
     return Joined<S>{Vec<S, 4>(quaternion_norm<S>(source) * Q), vector3<S>(source)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && !zero_quaternion_at(input, 0);
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && !zero_quaternion_at(input, 0);
   }
 
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 4> Q = read.template take<4>();
-    const Vec<S, 3> p = read.template take<3>();
-    const auto Qx = oracles::exact_vector<4, Real>(at_unit_scale<S>(Q));
+    Reader read(input);
+    const Vec<double, 4> Q = read.take<4>();
+    const Vec<double, 3> p = read.take<3>();
+    const auto Qx = oracles::exact_vector<4, Real>(at_unit_scale(r.scalar(), Q));
     if (o[op::normalize]) record_normalize(r, o[op::normalize](Q), Qx);
     if (o[op::quaternion_matrix]) record_matrix(r, o[op::quaternion_matrix](Q), Qx);
     if (o[op::rotate_point_any_norm]) {
       const auto px = oracles::exact_vector<3, Real>(p);
       const auto exact = oracles::rotate_point(Qx, px);
-      const Vec<S, 3> computed = o[op::rotate_point_any_norm](Q, p);
+      const Vec<double, 3> computed = o[op::rotate_point_any_norm](Q, p);
       judged_value(r, {op::rotate_point_any_norm[block::point]}, 0, computed, exact.resolved, [&] {
         r.record(op::rotate_point_any_norm[block::point], 0,
-                 oracles::vector_error<S>(oracles::exact_vector<3, Real>(computed), exact.value));
+                 oracles::vector_error(r.scalar(), oracles::exact_vector<3, Real>(computed), exact.value));
       });
     }
     if (!o[op::log3_any_norm]) return;
     const auto exact = oracles::log_so3(Qx);
-    Vec<S, 6> xi;
-    xi << Vec<S, 3>::Zero(), o[op::log3_any_norm](Q);
+    Vec<double, 6> xi;
+    xi << Vec<double, 3>::Zero(), o[op::log3_any_norm](Q);
     constexpr Output output = op::log3_any_norm[block::rotation_vector];
-    const std::size_t band = band_of_log<S>(exact);
-    record_log<S>(r, {output}, band, xi, exact, side_of(r, output, band));
+    const std::size_t band = band_of_log(r.scalar(), exact);
+    record_log(r, {output}, band, xi, exact, side_of(r, output, band));
   }
 
  private:
   template <class Real>
-  static void record_normalize(Recorder& r, const Vec<S, 4>& computed, const oracles::Quaternion<Real>& Q) {
+  static void record_normalize(Recorder& r, const Vec<double, 4>& computed,
+                               const oracles::Quaternion<Real>& Q) {
     constexpr Output quaternion = op::normalize[block::quaternion],
                      defect = op::normalize[block::norm_defect];
     const auto exact = oracles::normalize(Q);
     judged_value(r, {quaternion, defect}, 0, computed, exact.resolved, [&] {
       const auto unit = oracles::exact_vector<4, Real>(computed);
-      r.record(quaternion, 0, oracles::vector_error<S>(unit, exact.value));
-      r.record(defect, 0, oracles::norm_defect<S>(unit));
+      r.record(quaternion, 0, oracles::vector_error(r.scalar(), unit, exact.value));
+      r.record(defect, 0, oracles::norm_defect(r.scalar(), unit));
     });
   }
   template <class Real>
-  static void record_matrix(Recorder& r, const Mat<S, 3>& computed, const oracles::Quaternion<Real>& Q) {
+  static void record_matrix(Recorder& r, const Mat<double, 3>& computed, const oracles::Quaternion<Real>& Q) {
     constexpr Output entry = op::quaternion_matrix[block::entry];
     const auto exact = oracles::quaternion_matrix(Q);
     judged_value(r, {entry}, 0, computed, exact.resolved, [&] {
       const auto E = oracles::exact_matrix<3, 3, Real>(computed) - exact.value;
       double error = 0;
-      for (const Real& x : E.x) error = std::max(error, oracles::in_eps<S>(Real(abs(x))));
+      for (const Real& x : E.x) error = std::max(error, oracles::in_eps(r.scalar(), Real(abs(x))));
       r.record(entry, 0, error);
     });
   }

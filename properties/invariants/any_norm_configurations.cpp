@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class AnyNormConfigurations final : public Law<AnyNormConfigurations, S> {
+class AnyNormConfigurations final : public Law<AnyNormConfigurations> {
  public:
   static constexpr Statement stated{
       .name = "any_norm_configurations",
@@ -27,7 +26,8 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations, S> {
                  {"rho", Kind::vector, 3, "m", Reach::full},
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source), Q1 = quaternion_near<S>(source, Q0);
     const S norm = quaternion_norm<S>(source);
@@ -39,56 +39,56 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations, S> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && !zero_quaternion_at(input, 3) && !zero_quaternion_at(input, 10);
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && !zero_quaternion_at(input, 3) && !zero_quaternion_at(input, 10);
   }
 
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
-    const Vec<S, 6> d = read.template take<6>();
-    const Vec<S, 7> unit0 = scaled(q0);
-    const auto x0 = oracles::exact_vector<7, Real>(unit0), x1 = oracles::exact_vector<7, Real>(scaled(q1));
+    Reader read(input);
+    const Vec<double, 7> q0 = read.take<7>(), q1 = read.take<7>();
+    const Vec<double, 6> d = read.take<6>();
+    const Vec<double, 7> unit0 = scaled(r.scalar(), q0);
+    const auto x0 = oracles::exact_vector<7, Real>(unit0),
+               x1 = oracles::exact_vector<7, Real>(scaled(r.scalar(), q1));
     if (o[op::integrate_any_norm]) {
-      const Vec<S, 7> computed = o[op::integrate_any_norm](q0, d);
+      const Vec<double, 7> computed = o[op::integrate_any_norm](q0, d);
       const auto xd = oracles::exact_vector<6, Real>(d);
-      const std::size_t band = band_of_angle<S>(tail3(xd));
+      const std::size_t band = band_of_angle(r.scalar(), tail3(xd));
       constexpr const auto& integrate = op::integrate_any_norm;
-      record_integrate<S>(
+      record_integrate(
           r, {integrate[block::rotation], integrate[block::translation], integrate[block::norm_defect]}, band,
           computed, x0, xd);
-      record_sign<Real, S>(r, integrate[block::sign], band, unit0.template tail<4>(),
-                           computed.template tail<4>());
+      record_sign<Real>(r, integrate[block::sign], band, unit0.tail<4>(), computed.tail<4>());
     }
     if (o[op::difference_any_norm] || o[op::d_difference_any_norm])
       record_difference<Real>(o, q0, q1, x0, x1, r);
   }
 
  private:
-  static Vec<S, 7> scaled(Vec<S, 7> q) {
-    q.template tail<4>() = at_unit_scale<S>(q.template tail<4>());
+  static Vec<double, 7> scaled(const oracles::Scalar& scalar, Vec<double, 7> q) {
+    q.tail<4>() = at_unit_scale(scalar, q.tail<4>());
     return q;
   }
   template <class Real>
-  static void record_difference(const Operations<S>& o, const Vec<S, 7>& q0, const Vec<S, 7>& q1,
+  static void record_difference(const Operations& o, const Vec<double, 7>& q0, const Vec<double, 7>& q1,
                                 const oracles::Vec7<Real>& x0, const oracles::Vec7<Real>& x1, Recorder& r) {
     const auto exact = oracles::difference(x0, x1);
-    const std::size_t band = band_of_difference<S>(x0, x1, exact);
+    const std::size_t band = band_of_difference(r.scalar(), x0, x1, exact);
     if (o[op::difference_any_norm])
-      record_log<S>(r,
-                    {op::difference_any_norm[block::rotation_vector], op::difference_any_norm[block::linear]},
-                    band, o[op::difference_any_norm](q0, q1), exact, Side::either, exact.separation);
+      record_log(r, {op::difference_any_norm[block::rotation_vector], op::difference_any_norm[block::linear]},
+                 band, o[op::difference_any_norm](q0, q1), exact, Side::either, exact.separation);
     if (!o[op::d_difference_any_norm]) return;
-    const Mat<S, 6> J = o[op::d_difference_any_norm](q0, q1);
+    const Mat<double, 6> J = o[op::d_difference_any_norm](q0, q1);
     // The antisymmetric part of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
     auto at = exact.value();
-    if (at_either_side<S>(exact) && oracles::all_finite(J))
-      at = at_side_of<S>(vee(oracles::block(oracles::exact_matrix<6, 6, Real>(J), 0, 0)), exact).value();
+    if (at_either_side(r.scalar(), exact) && oracles::all_finite(J))
+      at = at_side_of(r.scalar(), vee(oracles::block(oracles::exact_matrix<6, 6, Real>(J), 0, 0)), exact)
+               .value();
     auto inverse = oracles::right_jacobian_se3_inverse(at);
     inverse.resolved = inverse.resolved && exact.resolved;
-    record_jacobian6<S>(r, jacobian_outputs(op::d_difference_any_norm), band, J, inverse, Real(0), false);
+    record_jacobian6(r, jacobian_outputs(op::d_difference_any_norm), band, J, inverse, Real(0), false);
   }
 };
 

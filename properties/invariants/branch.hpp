@@ -13,10 +13,11 @@ namespace liecheck::properties {
 /// branch. Then its error comes from the choice of the branch and not from rounding. Two rotations are the
 /// same if they differ by less than 1e-3 rad, about sqrt(eps) of a float. Two branches differ if the vectors
 /// differ by at least 1 rad. In ball arithmetic, a relative error above 0.1 throws Undecided.
-template <class S, class T>
-bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& exact, double error) {
+template <class T>
+bool on_other_branch(const oracles::Scalar& scalar, const oracles::Vec3<T>& computed,
+                     const oracles::Vec3<T>& exact, double error) {
   using namespace oracles;
-  if (!(error * std::ldexp(1.0, 1 - std::numeric_limits<S>::digits) > 0.1)) return false;  // the usual case
+  if (!(error * scalar.epsilon > 0.1)) return false;  // the usual case
   if constexpr (BallNumber<T>) {
     throw Undecided();
   } else {
@@ -37,9 +38,9 @@ inline Side side_of(const Recorder& r, const Output& rotation_vector, std::size_
 }
 
 /// Whether a logarithm on the other side of pi is right, too.
-template <class S, class T>
-bool at_either_side(const oracles::LogValue<T>& exact) {
-  return exact.pi_minus_theta <= T(std::ldexp(4.0, 1 - std::numeric_limits<S>::digits));
+template <class T>
+bool at_either_side(const oracles::Scalar& scalar, const oracles::LogValue<T>& exact) {
+  return exact.pi_minus_theta <= T(4 * scalar.epsilon);
 }
 /// (rho, phi) of the same pose with the opposite axis and the angle 2 pi - theta.
 template <class T>
@@ -50,9 +51,10 @@ oracles::Vec6<T> opposite(const oracles::LogValue<T>& exact) {
   return stack(closed_left_jacobian_inverse(stack(zero_vector<3, T>(), phi)).J * p, phi);
 }
 /// The exact logarithm on that side of pi where the computed axis is.
-template <class S, class T>
-oracles::LogValue<T> at_side_of(const oracles::Vec3<T>& axis, const oracles::LogValue<T>& exact) {
-  if (!at_either_side<S>(exact) || !(dot(axis, exact.phi) < T(0))) return exact;
+template <class T>
+oracles::LogValue<T> at_side_of(const oracles::Scalar& scalar, const oracles::Vec3<T>& axis,
+                                const oracles::LogValue<T>& exact) {
+  if (!at_either_side(scalar, exact) || !(dot(axis, exact.phi) < T(0))) return exact;
   oracles::LogValue<T> other = exact;
   const oracles::Vec6<T> xi = opposite(exact);
   other.rho = head3(xi), other.phi = tail3(xi);
@@ -61,15 +63,15 @@ oracles::LogValue<T> at_side_of(const oracles::Vec3<T>& axis, const oracles::Log
 
 /// Records the errors of a computed (rho, phi). The first of `outputs` is the rotation vector; the second, if
 /// there is one, is rho. If `branches` is false, a vector on another branch is an ordinary error.
-template <class S, class T>
+template <class T>
 void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
-                const Vec<S, 6>& computed, const oracles::LogValue<T>& value, Side side,
+                const Vec<double, 6>& computed, const oracles::LogValue<T>& value, Side side,
                 const T& separation = T(0), bool branches = true) {
   judged_value(r, outputs, band, computed, value.resolved, [&] {
     const auto xi = oracles::exact_vector<6, T>(computed);
-    const auto exact = side == Side::either ? at_side_of<S>(tail3(xi), value) : value;
-    const auto error = oracles::log_error<S>(xi, exact, separation);
-    const bool other = branches && on_other_branch<S>(tail3(xi), exact.phi, error.angular);
+    const auto exact = side == Side::either ? at_side_of(r.scalar(), tail3(xi), value) : value;
+    const auto error = oracles::log_error(r.scalar(), xi, exact, separation);
+    const bool other = branches && on_other_branch(r.scalar(), tail3(xi), exact.phi, error.angular);
     for (const Output& o : outputs) {
       if (other)
         r.outcome(o, band, Outcome::wrong_branch);

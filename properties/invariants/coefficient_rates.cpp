@@ -6,8 +6,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class CoefficientRates final : public SlowLaw<CoefficientRates, S> {
+class CoefficientRates final : public SlowLaw<CoefficientRates> {
  public:
   static constexpr Statement stated{
       .name = "coefficient_rates",
@@ -23,7 +22,8 @@ class CoefficientRates final : public SlowLaw<CoefficientRates, S> {
                  {"p_dot", Kind::vector, 3, "m/s"},
                  {"Q_dot", Kind::vector, 4, "1/s", Reach::any}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     constexpr int binades = 16;
     const Vec<S, 3> p = vector3<S>(source, binades);
     const Vec<S, 4> Q = unit_quaternion<S>(source);
@@ -38,45 +38,45 @@ class CoefficientRates final : public SlowLaw<CoefficientRates, S> {
     append(x, kind == 3 ? Vec<S, 4>(source.symmetric<S>() * Q) : rate);
     return x;
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && norm_defect_at(input, 3) <= 8;
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && norm_defect_at(scalar(), input, 3) <= 8;
   }
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    properties::Reader<S> read(input);
-    properties::Vec<S, 7> q, q_dot;
-    properties::Vec<S, 6> V;
-    q << read.template take<7>();
-    V << read.template take<6>();
-    q_dot << read.template take<7>();
-    const Quaternion<> Q = exact_vector<4>(properties::Vec<S, 4>(q.template tail<4>()));
+    properties::Reader read(input);
+    properties::Vec<double, 7> q, q_dot;
+    properties::Vec<double, 6> V;
+    q << read.take<7>();
+    V << read.take<6>();
+    q_dot << read.take<7>();
+    const Quaternion<> Q = exact_vector<4>(properties::Vec<double, 4>(q.tail<4>()));
     if (o[op::velocity_to_rate]) {
       constexpr Output translation = op::velocity_to_rate[block::translation],
                        rate = op::velocity_to_rate[block::rotation_rate];
-      const properties::Vec<S, 7> computed = o[op::velocity_to_rate](q, V);
+      const properties::Vec<double, 7> computed = o[op::velocity_to_rate](q, V);
       const auto v = exact_vector<6>(V);
       const Vec3<> u = head3(v), omega = tail3(v);
       const Quaternion<> exact =
           Real(Real(1) / 2) * quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}});
       judged_value(r, {translation, rate}, 0, computed, true, [&] {
         const auto got = exact_vector<7>(computed);
-        r.record(translation, 0, vector_error<S>(head3(got), rotate(Q, u), norm(u)));
-        r.record(rate, 0, vector_error<S>(quaternion_of(got), exact));
+        r.record(translation, 0, vector_error(r.scalar(), head3(got), rotate(Q, u), norm(u)));
+        r.record(rate, 0, vector_error(r.scalar(), quaternion_of(got), exact));
       });
     }
     if (!o[op::rate_to_velocity]) return;
     constexpr Output linear = op::rate_to_velocity[block::linear],
                      angular = op::rate_to_velocity[block::angular];
-    const properties::Vec<S, 6> computed = o[op::rate_to_velocity](q, q_dot);
+    const properties::Vec<double, 6> computed = o[op::rate_to_velocity](q, q_dot);
     const auto rates = exact_vector<7>(q_dot);
     const Quaternion<> Q_dot = quaternion_of(rates);
     const Real square = squared_norm(Q);
     const Vec3<> p_dot = head3(rates), omega = Real(2 / square) * head3(conjugate_product(Q, Q_dot));
     judged_value(r, {linear, angular}, 0, computed, true, [&] {
       const auto got = exact_vector<6>(computed);
-      r.record(linear, 0, vector_error<S>(head3(got), rotate(Q, p_dot, true), norm(p_dot)));
-      r.record(angular, 0, vector_error<S>(tail3(got), omega, Real(2 * norm(Q_dot) / sqrt(square))));
+      r.record(linear, 0, vector_error(r.scalar(), head3(got), rotate(Q, p_dot, true), norm(p_dot)));
+      r.record(angular, 0, vector_error(r.scalar(), tail3(got), omega, Real(2 * norm(Q_dot) / sqrt(square))));
     });
   }
 };

@@ -57,8 +57,8 @@ oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   return v;
 }
 
-template <class T, class S>
-oracles::PoseOf<T> exact_pose(const Pose<S>& X) {
+template <class T>
+oracles::PoseOf<T> exact_pose(const Pose<double>& X) {
   return {oracles::exact_matrix<3, 3, T>(X.R), oracles::exact_vector<3, T>(X.p)};
 }
 
@@ -73,70 +73,70 @@ bool comparable(Recorder& r, const Output& output, const M& computed, bool resol
 /// Records the error of a vector. kappa is that of the results first ... first + N - 1 of `formula` at x().
 /// `degree`: the formula is homogeneous of this degree in some of its numbers x_i. Then kappa >= degree, because
 /// degree ||y|| = ||sum_i dy/dx_i x_i|| <= sum_i ||dy/dx_i|| |x_i| (Euler's theorem); 0.99 covers rounding.
-template <class S, int N, class T, class Formula, class Numbers>
-void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
+template <int N, class T, class Formula, class Numbers>
+void record_vector(Recorder& r, const Output& output, const Vec<double, N>& computed,
                    const oracles::Vec<N, T>& exact, bool resolved, const Formula& formula, const Numbers& x,
                    int degree, int first = 0) {
   if (!comparable(r, output, computed, resolved)) return;
   const auto kappa = [&] {
-    const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
+    const T size = oracles::larger(norm(exact), T(r.scalar().least_denominator()));
     return std::max(1.0,
                     oracles::condition_number(oracles::movements<T>(formula, x(), {{first, N}})[0], size));
   };
-  const bool normal = at_most(exact) > 2 * at_most(oracles::least_denominator<S, T>());
-  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact),
+  const bool normal = at_most(exact) > 2 * r.scalar().least_denominator();
+  r.record(output, 0, oracles::vector_error(r.scalar(), oracles::exact_vector<N, T>(computed), exact),
            Kappa(kappa, normal ? 0.99 * degree : 1));
 }
 
 /// Records the error of a sum of rotated vectors: kappa = terms / ||exact||, where `terms` is the sum of
 /// their norms. A rotation mixes the numbers of a vector, so each vector is known to eps of its norm in any
 /// direction, whatever the representation of the rotation: docs/measuring.md, section Models of rounding.
-template <class S, int N, class T>
-void record_sum(Recorder& r, const Output& output, const Vec<S, N>& computed, const oracles::Vec<N, T>& exact,
-                bool resolved, const T& terms) {
+template <int N, class T>
+void record_sum(Recorder& r, const Output& output, const Vec<double, N>& computed,
+                const oracles::Vec<N, T>& exact, bool resolved, const T& terms) {
   if (!comparable(r, output, computed, resolved)) return;
-  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
-    const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
+  r.record(output, 0, oracles::vector_error(r.scalar(), oracles::exact_vector<N, T>(computed), exact), [&] {
+    const T size = oracles::larger(norm(exact), T(r.scalar().least_denominator()));
     return std::max(1.0, oracles::condition_number(terms, size));
   });
 }
 
 /// The band of ||phi||. Below 2^-900, the ball of the norm is wider than one ulp. There 2^600 ||phi|| is
 /// compared with 2^600 times the border of the band; 2^600 phi is exact.
-template <class S, class T>
-std::size_t band_of_angle(const oracles::Vec3<T>& phi, const T& theta) {
+template <class T>
+std::size_t band_of_angle(const oracles::Scalar& scalar, const oracles::Vec3<T>& phi, const T& theta) {
   if constexpr (oracles::BallNumber<T>) {
     double largest = 0;
     for (const T& x : phi.x) largest = std::max(largest, x.size());
     if (largest > 0 && largest < 0x1p-900) {
       oracles::Vec3<T> scaled = phi;
       for (T& x : scaled.x) x = power_scaled(x, 600);
-      const double edge = static_cast<double>(std::numeric_limits<S>::min()) * 0x1p600;
-      return Bands::of<S>().underflowing(norm(scaled) < T(edge));
+      const double edge = scalar.min * 0x1p600;
+      return Bands::of(scalar).underflowing(norm(scaled) < T(edge));
     }
   }
-  return Bands::of<S>().classify(theta);
+  return Bands::of(scalar).classify(theta);
 }
-template <class S, class T>
-std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
-  return band_of_angle<S>(phi, norm(phi));
+template <class T>
+std::size_t band_of_angle(const oracles::Scalar& scalar, const oracles::Vec3<T>& phi) {
+  return band_of_angle(scalar, phi, norm(phi));
 }
 
 /// The band of a logarithm's angle.
-template <class S, class T>
-std::size_t band_of_log(const oracles::LogValue<T>& log) {
+template <class T>
+std::size_t band_of_log(const oracles::Scalar& scalar, const oracles::LogValue<T>& log) {
   // A ball cannot distinguish such a theta from pi, and no other border of a band is that near to pi.
   if constexpr (oracles::BallNumber<T>)
-    if (log.pi_minus_theta.head() + log.pi_minus_theta.r < 1e-25) return Bands::of<S>().at_pi();
-  return log.at_pi ? Bands::of<S>().at_pi() : Bands::of<S>().classify(log.theta);
+    if (log.pi_minus_theta.head() + log.pi_minus_theta.r < 1e-25) return Bands::of(scalar).at_pi();
+  return log.at_pi ? Bands::of(scalar).at_pi() : Bands::of(scalar).classify(log.theta);
 }
 
 /// The band of difference(q0, q1). If products of the vector parts v0 and v1 would underflow, v0 and v1 are
 /// multiplied by 2^500 first. Then theta is nearly 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w0 w1|. The radius is
 /// widened by v0 x v1, which is not computed, and by the error of this formula.
-template <class S, class T>
-std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<7, T>& q1,
-                               const oracles::LogValue<T>& log) {
+template <class T>
+std::size_t band_of_difference(const oracles::Scalar& scalar, const oracles::Vec<7, T>& q0,
+                               const oracles::Vec<7, T>& q1, const oracles::LogValue<T>& log) {
   if constexpr (oracles::BallNumber<T>) {
     using namespace oracles;
     constexpr int shift = 500;
@@ -154,29 +154,30 @@ std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<
       if (unlike > 0 && opposed > 0)  // otherwise v0 x v1 = 0
         for (T& x : relative.x) x.r += 2 * largest * std::ldexp(largest, shift);
       T scaled = T(2) * norm(relative) / abs(q0[6] * q1[6]);
-      if (scaled.exactly_zero()) return Bands::of<S>().classify(T(0));
+      if (scaled.exactly_zero()) return Bands::of(scalar).classify(T(0));
       scaled.r += scaled.size() * 0x1p-800;  // bounds atan(x) - x and the omitted terms of w
-      const double edge = std::ldexp(static_cast<double>(std::numeric_limits<S>::min()), shift);
-      if (scaled.size() < std::ldexp(1.0, shift - 900)) return Bands::of<S>().underflowing(scaled < T(edge));
+      const double edge = std::ldexp(scalar.min, shift);
+      if (scaled.size() < std::ldexp(1.0, shift - 900))
+        return Bands::of(scalar).underflowing(scaled < T(edge));
     }
   }
-  return band_of_log<S>(log);
+  return band_of_log(scalar, log);
 }
 
 /// | |Q|^2 - 1 | in eps, for the quaternion Q that starts at `first`.
-template <class S>
-double norm_defect_at(const std::vector<S>& input, std::size_t first) {
+inline double norm_defect_at(const oracles::Scalar& scalar, const std::vector<double>& input,
+                             std::size_t first) {
   oracles::Quaternion<> Q;
   for (int i = 0; i < 4; ++i) Q[i] = oracles::exact<Real>(input[first + static_cast<std::size_t>(i)]);
-  return oracles::norm_defect<S>(Q);
+  return oracles::norm_defect(scalar, Q);
 }
 
 /// ||R^T R - I|| in eps, for the matrix R that starts at `first`.
-template <class S>
-double orthogonality_defect_at(const std::vector<S>& input, std::size_t first) {
+inline double orthogonality_defect_at(const oracles::Scalar& scalar, const std::vector<double>& input,
+                                      std::size_t first) {
   oracles::Mat3<> R;
   for (std::size_t i = 0; i < 9; ++i) R.x[i] = oracles::exact<Real>(input[first + i]);
-  return oracles::orthogonality_defect<S>(R);
+  return oracles::orthogonality_defect(scalar, R);
 }
 
 /// Two blocks of an operation whose result is a 6 x 6 Jacobian or a spatial vector.
@@ -190,22 +191,22 @@ consteval TwoOutputs linear_angular(const Operation& o) {
 
 /// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block
 /// must be zero. Both diagonal blocks have the same exact value.
-template <class S, class T>
-void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<S, 6>& J,
+template <class T>
+void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<double, 6>& J,
                       const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {outputs[0], outputs[1]}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);
-    double error = std::max(oracles::vector_error<S>(oracles::block(all, 0, 0), exact.J),
-                            oracles::vector_error<S>(oracles::block(all, 1, 1), exact.J));
-    if (!J.template block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
+    double error = std::max(oracles::vector_error(r.scalar(), oracles::block(all, 0, 0), exact.J),
+                            oracles::vector_error(r.scalar(), oracles::block(all, 1, 1), exact.J));
+    if (!J.block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
     r.record(outputs[0], band, error, kappa_rotation);
     T scale(0);
     if (beyond) {
       const T size = oracles::norm(exact.J);
       scale = rho * oracles::smaller(size, T(1));
     }
-    r.record(outputs[1], band, oracles::vector_error<S>(oracles::block(all, 0, 1), exact.C, scale),
+    r.record(outputs[1], band, oracles::vector_error(r.scalar(), oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);
   });
 }

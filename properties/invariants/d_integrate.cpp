@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class DIntegrate final : public Law<DIntegrate, S> {
+class DIntegrate final : public Law<DIntegrate> {
  public:
   static constexpr Statement stated{
       .name = "d_integrate",
@@ -26,7 +25,8 @@ class DIntegrate final : public Law<DIntegrate, S> {
                  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
                  {"rho", Kind::vector, 3, "m", Reach::full},
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source);
     return Joined<S>{p0,
@@ -36,40 +36,41 @@ class DIntegrate final : public Law<DIntegrate, S> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<S>& x) const override {
-    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8;
+  bool valid(const std::vector<double>& x) const override {
+    return Property::valid(x) && norm_defect_at(scalar(), x, 3) <= 8 && norm_defect_at(scalar(), x, 10) <= 8;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
-    const Vec<S, 6> d = read.template take<6>();
+    Reader read(input);
+    const Vec<double, 7> q0 = read.take<7>(), q1 = read.take<7>();
+    const Vec<double, 6> d = read.take<6>();
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
     if (o[op::d_integrate_arg0])
-      record_d_integrate_arg0<S>(r, jacobian_outputs(op::d_integrate_arg0), x0, xd,
-                                 o[op::d_integrate_arg0](q0, d));
+      record_d_integrate_arg0(r, jacobian_outputs(op::d_integrate_arg0), x0, xd,
+                              o[op::d_integrate_arg0](q0, d));
     if (o[op::d_integrate_arg1])
-      record_d_integrate_arg1<S>(r, jacobian_outputs(op::d_integrate_arg1), x0, xd,
-                                 o[op::d_integrate_arg1](q0, d));
+      record_d_integrate_arg1(r, jacobian_outputs(op::d_integrate_arg1), x0, xd,
+                              o[op::d_integrate_arg1](q0, d));
     if (!o[op::d_difference_arg0] && !o[op::d_difference_arg1]) return;
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
-    const std::size_t band = band_of_difference<S>(x0, x1, exact);
+    const std::size_t band = band_of_difference(r.scalar(), x0, x1, exact);
     // In ball arithmetic, arg0 and arg1 share one logarithm and one inverse Jacobian, because the blocks of
     // J_r^-1 are the transposed blocks of J_l^-1.
-    const auto of_difference = [&](bool arg1, const Mat<S, 6>& computed) -> oracles::Jacobian6Value<Real> {
+    const auto of_difference = [&](bool arg1,
+                                   const Mat<double, 6>& computed) -> oracles::Jacobian6Value<Real> {
       using namespace oracles;
       const auto minus = [](const Jacobian6Value<Real>& J) -> Jacobian6Value<Real> {
         return {Real(-1) * J.J, Real(-1) * J.C, J.resolved};
       };
-      if (at_either_side<S>(exact)) {
+      if (at_either_side(r.scalar(), exact)) {
         // The antisymmetric part of -J_l^-1 and of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
         const auto axis =
             all_finite(computed) ? vee(oracles::block(exact_matrix<6, 6, Real>(computed), 0, 0)) : exact.phi;
-        const LogValue<Real> at = at_side_of<S>(axis, exact);
+        const LogValue<Real> at = at_side_of(r.scalar(), axis, exact);
         return arg1 ? right_jacobian_se3_inverse(at.value()) : minus(left_jacobian_se3_inverse(at.value()));
       } else if constexpr (BallNumber<Real>) {
         if (!inverse) inverse = left_jacobian_se3_inverse(exact.value());
@@ -78,10 +79,10 @@ class DIntegrate final : public Law<DIntegrate, S> {
         return arg1 ? oracles::d_difference_arg1(x0, x1) : oracles::d_difference_arg0(x0, x1);
       }
     };
-    const auto record = [&](auto operation, const TwoOutputs& outputs, bool arg1) {
+    const auto record = [&](const auto& operation, const TwoOutputs& outputs, bool arg1) {
       if (!operation) return;
-      const Mat<S, 6> computed = operation(q0, q1);
-      record_jacobian6<S>(r, outputs, band, computed, of_difference(arg1, computed), Real(0), false);
+      const Mat<double, 6> computed = operation(q0, q1);
+      record_jacobian6(r, outputs, band, computed, of_difference(arg1, computed), Real(0), false);
     };
     record(o[op::d_difference_arg0], jacobian_outputs(op::d_difference_arg0), false);
     record(o[op::d_difference_arg1], jacobian_outputs(op::d_difference_arg1), true);

@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
+class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives> {
  public:
   static constexpr Output torque_q = op::rnea_derivatives[block::by_q],
                           torque_v = op::rnea_derivatives[block::by_v],
@@ -24,10 +23,10 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       .outputs = {torque_q, torque_v, acceleration_q, acceleration_v}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
     const std::vector<T> still(c.nv(), T(0));
     const std::vector<T>& d = c.exact.d;
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     const auto standing = c.dynamics(c.exact.v, still);
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
@@ -39,12 +38,12 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
         c.dynamics(c.exact.v, still, still, d, still).torque_derivative();  // for any a
     const auto sizes = [&](const std::vector<double>& a, bool q) {
       const std::vector<double> none(c.nv(), 0);
-      return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
-                                                  q ? c.rough.d : none, q ? none : c.rough.d, true);
+      return oracles::TreeSizes<oracles::Tangent>(c.stored.tree, c.stored.q, c.stored.v, a, c.stored.wrench,
+                                                  q ? c.stored.d : none, q ? none : c.stored.d, true);
     };
     // If a derivative is zero, the oracle returns about 1e-30 times the function instead. Then the term with
     // 1e-12 makes kappa so large that the case is ill-posed.
-    const double reach = weighted_size(c.rough.d, std::vector<double>(c.nv(), 1));
+    const double reach = weighted_size(c.stored.d, std::vector<double>(c.nv(), 1));
     const auto terms_of = [&](const oracles::TreeSizes<oracles::Tangent>& t) {
       std::vector<double> values;
       for (const oracles::Tangent& x : t.tau) values.push_back(x.x);
@@ -52,9 +51,10 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     };
     if (o[op::rnea_derivatives]) {
       const auto [dq, dv] = o[op::rnea_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
-      const auto record = [&](const Output& output, const MatX<S>& J, const std::vector<T>& exact, bool q) {
+      const auto record = [&](const Output& output, const MatX<double>& J, const std::vector<T>& exact,
+                              bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
-        c.record(r, output, exact_product(J, d), exact, w, terms_of(sizes(c.rough.a, q)), resolved);
+        c.record(r, output, exact_product(J, d), exact, w, terms_of(sizes(c.stored.a, q)), resolved);
       };
       record(torque_q, dq, by_q(c.exact.a), true);
       record(torque_v, dv, by_v, false);
@@ -71,14 +71,14 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const double inverse = inverse_size(solve.factor(), roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
-    const auto singular = [&] { return nearly_singular<S>(solve.factor(), roots, size); };
+    const auto singular = [&] { return nearly_singular(r.scalar(), solve.factor(), roots, size); };
     solved(r, {acceleration_q, acceleration_v}, singular, [&] {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
       // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
-      const double a_error = inverse * weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
+      const double a_error = inverse * weighted_size(c.sizes(c.stored.v, rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
-      const auto record = [&](const Output& output, const MatX<S>& J, std::vector<T> exact, bool q) {
+      const auto record = [&](const Output& output, const MatX<double>& J, std::vector<T> exact, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         for (T& x : exact) x = -x;
         exact = solve(exact);

@@ -8,8 +8,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class EulerAngles final : public SlowLaw<EulerAngles, S> {
+class EulerAngles final : public SlowLaw<EulerAngles> {
  public:
   static constexpr Statement stated{
       .name = "euler_angles",
@@ -25,31 +24,32 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
                  {"Q", Kind::quaternion, 4, "1", Reach::any},
                  {"R", Kind::rotation_matrix, 9, "1", Reach::any}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const int number = static_cast<int>(source.below(24));
     Vec<S, 3> angles;
-    for (int i = 0; i < 3; ++i) angles[i] = angle_of(source);
+    for (int i = 0; i < 3; ++i) angles[i] = angle_of<S>(source);
     const Vec<S, 4> Q =
-        source.chance(1, 4) ? unit_quaternion<S>(source) : near_lock(source, oracles::Order(number));
+        source.chance(1, 4) ? unit_quaternion<S>(source) : near_lock<S>(source, oracles::Order(number));
     std::vector<S> x{S(number)};
     append(x, angles), append(x, Q), append(x, rotation_matrix<S>(Q));
     return x;
   }
-  bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
+  bool valid(const std::vector<double>& input) const override {
+    if (!Property::valid(input)) return false;
     const int number = static_cast<int>(input[0]);
-    if (!(S(number) == input[0] && number >= 0 && number < 24)) return false;
+    if (!(number == input[0] && number >= 0 && number < 24)) return false;
     for (std::size_t i = 1; i < 4; ++i)
-      if (!(input[i] <= pi() && input[i] >= -pi())) return false;
-    return norm_defect_at(input, 4) <= 8 && orthogonality_defect_at(input, 8) <= 8;
+      if (!(std::fabs(input[i]) <= scalar().pi)) return false;
+    return norm_defect_at(scalar(), input, 4) <= 8 && orthogonality_defect_at(scalar(), input, 8) <= 8;
   }
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const S order = read.template take<1>()[0];
-    const Vec<S, 3> angles = read.template take<3>();
-    const Vec<S, 4> Q = read.template take<4>();
-    const Mat<S, 3> R = read.take_matrix();
+    Reader read(input);
+    const double order = read.take<1>()[0];
+    const Vec<double, 3> angles = read.take<3>();
+    const Vec<double, 4> Q = read.take<4>();
+    const Mat<double, 3> R = read.take_matrix();
     const oracles::Order exact_order(static_cast<int>(order));
     if (o[op::euler_to_quaternion] || o[op::euler_to_matrix]) {
       const auto exact = oracles::euler(exact_order, oracles::exact_vector<3>(angles));
@@ -57,11 +57,11 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
         constexpr Output rotation = op::euler_to_quaternion[block::rotation],
                          defect = op::euler_to_quaternion[block::norm_defect];
         unless_refused(r, {rotation, defect}, [&] {
-          const Vec<S, 4> computed = o[op::euler_to_quaternion](order, angles);
+          const Vec<double, 4> computed = o[op::euler_to_quaternion](order, angles);
           judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
             r.record(rotation, 0,
-                     oracles::rotation_error<S>(oracles::exact_vector<4>(computed), exact.value));
-            r.record(defect, 0, oracles::norm_defect<S>(oracles::exact_vector<4>(computed)));
+                     oracles::rotation_error(r.scalar(), oracles::exact_vector<4>(computed), exact.value));
+            r.record(defect, 0, oracles::norm_defect(r.scalar(), oracles::exact_vector<4>(computed)));
           });
         });
       }
@@ -69,9 +69,10 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
         constexpr Output rotation = op::euler_to_matrix[block::rotation],
                          defect = op::euler_to_matrix[block::orthogonality_defect];
         unless_refused(r, {rotation, defect}, [&] {
-          const Mat<S, 3> computed = o[op::euler_to_matrix](order, angles);
+          const Mat<double, 3> computed = o[op::euler_to_matrix](order, angles);
           judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
-            const auto errors = oracles::matrix_errors<S>(oracles::exact_matrix<3, 3>(computed), exact.value);
+            const auto errors =
+                oracles::matrix_errors(r.scalar(), oracles::exact_matrix<3, 3>(computed), exact.value);
             r.record(rotation, 0, errors.rotation);
             r.record(defect, 0, errors.defect);
           });
@@ -89,7 +90,7 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
     if (!o[op::euler_from_matrix]) return;
     constexpr TwoOutputs outputs{op::euler_from_matrix[block::rotation], op::euler_from_matrix[block::range]};
     unless_refused(r, outputs, [&] {
-      const Vec<S, 3> computed = o[op::euler_from_matrix](order, R);
+      const Vec<double, 3> computed = o[op::euler_from_matrix](order, R);
       const auto nearest = oracles::nearest_quaternion(oracles::exact_matrix<3, 3, oracles::Real100>(R));
       record_angles(r, outputs, exact_order, computed, oracles::cast<Real>(nearest.Q), nearest.resolved);
     });
@@ -106,10 +107,11 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
       for (const Output& output : outputs) r.outcome(output, 0, Outcome::outside_domain);
     }
   }
-  static S pi() { return boost::math::constants::pi<S>(); }
   /// A multiple of pi/2, within 4 ulp of one, near one, small, or any.
+  template <class S>
   static S angle_of(Source& source) {
-    const S quarter = pi() / S(2), at = S(source.between(-2, 2)) * quarter;
+    const S pi = boost::math::constants::pi<S>(), quarter = pi / S(2),
+            at = S(source.between(-2, 2)) * quarter;
     const S near = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 8, -10);
     S x;
     switch (source.below(8)) {
@@ -126,11 +128,12 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
       case 4:
         return source.chance(1, 2) ? near : S(-near);
       default:
-        x = pi() * source.symmetric<S>();
+        x = pi * source.symmetric<S>();
     }
-    return std::clamp(x, S(-pi()), pi());
+    return std::clamp(x, S(-pi), pi);
   }
   /// A product of three turns about the axes, whose middle one is at gimbal lock or near it, without any sine.
+  template <class S>
   static Vec<S, 4> near_lock(Source& source, const oracles::Order& order) {
     using std::sqrt;
     Vec<S, 4> Q = Vec<S, 4>::Unit(3);
@@ -155,19 +158,20 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
     return Q / S(sqrt(Q.squaredNorm()));
   }
   static void record_angles(Recorder& r, const TwoOutputs& outputs, const oracles::Order& order,
-                            const Vec<S, 3>& angles, const oracles::Quaternion<>& Q, bool resolved) {
+                            const Vec<double, 3>& angles, const oracles::Quaternion<>& Q, bool resolved) {
     oracles::Resolved<oracles::Quaternion<>> back;
     if (oracles::all_finite(angles)) back = oracles::euler(order, oracles::exact_vector<3>(angles));
     judged_value(r, {outputs[0], outputs[1]}, 0, angles, resolved && back.resolved, [&] {
-      r.record(outputs[0], 0, oracles::rotation_error<S>(back.value, Q));
+      r.record(outputs[0], 0, oracles::rotation_error(r.scalar(), back.value, Q));
       const bool proper = order.axes[0] == order.axes[2];
-      const S eps = std::numeric_limits<S>::epsilon(), half = pi() / S(2);
-      const auto beyond = [](const S& x, const S& low, const S& high) {
-        return std::max({S(0), S(x - high), S(low - x)});
+      const oracles::Scalar& s = r.scalar();
+      const double half = s.pi / 2;
+      const auto beyond = [&s](double x, double low, double high) {  // with the roundings of the scalar
+        return std::max({0.0, s.rounded(x - high), s.rounded(low - x)});
       };
-      const S most = std::max({beyond(angles[0], -pi(), pi()), beyond(angles[2], -pi(), pi()),
-                               beyond(angles[1], proper ? S(0) : S(-half), proper ? pi() : half)});
-      r.record(outputs[1], 0, most > S(2) * eps * pi() ? static_cast<double>(most / eps) : 0);
+      const double most = std::max({beyond(angles[0], -s.pi, s.pi), beyond(angles[2], -s.pi, s.pi),
+                                    beyond(angles[1], proper ? 0 : -half, proper ? s.pi : half)});
+      r.record(outputs[1], 0, most > 2 * s.epsilon * s.pi ? most / s.epsilon : 0);
     });
   }
 };

@@ -8,8 +8,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class ExpOracle final : public Law<ExpOracle, S> {
+class ExpOracle final : public Law<ExpOracle> {
  public:
   static constexpr Statement stated{
       .name = "exp_oracle",
@@ -22,17 +21,18 @@ class ExpOracle final : public Law<ExpOracle, S> {
                   op::exp6[block::translation]},
       .fields = {{"rho", Kind::vector, 3, "m", Reach::full},
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Vec<S, 6> xi = Reader<S>(input).template take<6>();
-    const Vec<S, 3> phi = xi.template tail<3>();
+    Vec<double, 6> xi = Reader(input).take<6>();
+    const Vec<double, 3> phi = xi.tail<3>();
     const auto exact_xi = oracles::exact_vector<6, Real>(xi);
     const auto exact = oracles::exp_se3(exact_xi);
-    const std::size_t band = band_of_angle<S>(tail3(exact_xi), exact.theta);
+    const std::size_t band = band_of_angle(r.scalar(), tail3(exact_xi), exact.theta);
 
     const auto kappa = oracles::sensitivity<Real>(
         [](const std::vector<Real>& x) {
@@ -46,36 +46,37 @@ class ExpOracle final : public Law<ExpOracle, S> {
     // covers rounding. There is no bound beyond theta = 2^40, where condition.hpp is inaccurate.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
-    const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<S, 3>& R) {
+    const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<double, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);
-        const auto errors = oracles::matrix_errors<S>(stored, exact.Q);
+        const auto errors = oracles::matrix_errors(r.scalar(), stored, exact.Q);
         r.record(rotation, band, errors.rotation, Kappa(kappa_rotation, least_rotation));
         r.record(defect, band, errors.defect);
       });
     };
     if (o[op::exp3_quaternion]) {
-      const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
+      const Vec<double, 4> Q = o[op::exp3_quaternion](phi);
       constexpr Output rotation = op::exp3_quaternion[block::rotation],
                        defect = op::exp3_quaternion[block::norm_defect];
       judged_value(r, {rotation, defect}, band, Q, exact.resolved, [&] {
         const auto stored = oracles::exact_vector<4, Real>(Q);
-        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q),
+        r.record(rotation, band, oracles::rotation_error(r.scalar(), stored, exact.Q),
                  Kappa(kappa_rotation, least_rotation));
-        r.record(defect, band, oracles::norm_defect<S>(stored));
+        r.record(defect, band, oracles::norm_defect(r.scalar(), stored));
       });
     }
     if (o[op::exp3_matrix])
       matrix(op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
              o[op::exp3_matrix](phi));
     if (o[op::exp6]) {
-      const Pose<S> T = o[op::exp6](xi);
+      const Pose<double> T = o[op::exp6](xi);
       matrix(op::exp6[block::rotation], op::exp6[block::orthogonality_defect], T.R);
       constexpr Output translation = op::exp6[block::translation];
       judged_value(r, {translation}, band, T.p, exact.resolved, [&] {
         const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };
         const double least = share * at_most(head3(exact_xi)) / at_most(exact.p);
-        r.record(translation, band, oracles::vector_error<S>(oracles::exact_vector<3, Real>(T.p), exact.p),
+        r.record(translation, band,
+                 oracles::vector_error(r.scalar(), oracles::exact_vector<3, Real>(T.p), exact.p),
                  Kappa(kappa_translation, least));
       });
     }

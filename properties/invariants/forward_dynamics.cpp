@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
+class ForwardDynamics final : public TreeLaw<ForwardDynamics> {
  public:
   static constexpr Output acceleration = op::tree_aba[block::acceleration],
                           inverse = op::tree_mass_inverse[block::matrix],
@@ -23,13 +22,13 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       .formed = {{&op::rnea_of_aba, {&op::tree_aba, &op::tree_rnea}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
     const std::vector<T> still(c.nv(), T(0));
     const auto standing = c.dynamics(c.exact.v, still);
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv());
     const oracles::Solver<T> solve(M, c.nv());
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     if (!solve)
       of_singular(o, c, r, M, roots);
     else
@@ -38,7 +37,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
 
  private:
   template <class T, class Case>
-  static void of_regular(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& h,
+  static void of_regular(const TreeOperations<double>& o, const Case& c, Recorder& r, const std::vector<T>& h,
                          const std::vector<double>& roots, const oracles::Solver<T>& solve) {
     const std::vector<T>& tau = c.exact.a;
     const std::vector<double> w = inverses(roots);
@@ -56,14 +55,12 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
                  size_inverse = weighted_norm(rough_list(inverse_exact), products(roots));
     const double a_size = approximate(weighted_norm(a, roots));
     const double terms = size * a_size + approximate(weighted_norm(tau, w)) +
-                         weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
-    const auto nearly_singular = [&] {
-      return !(64 * size * size_inverse * std::numeric_limits<S>::epsilon() < 1);
-    };
+                         weighted_size(c.sizes(c.stored.v, rough_list(a), true).tau, w);
+    const auto nearly_singular = [&] { return !(64 * size * size_inverse * r.scalar().epsilon < 1); };
     const bool resolved = c.resolved();
     if (o[op::tree_aba])
       solved(r, outputs_of_aba(o), nearly_singular, [&] {
-        const VecX<S> computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
+        const VecX<double> computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
         c.record(r, acceleration, computed, a, roots, size_inverse * terms, resolved);
         if (o[op::tree_rnea])
           c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
@@ -75,7 +72,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       });
   }
 
-  static Few<Output, 2> outputs_of_aba(const TreeOperations<S>& o) {
+  static Few<Output, 2> outputs_of_aba(const TreeOperations<double>& o) {
     if (o[op::tree_rnea]) return {acceleration, torque};
     return {acceleration};
   }
@@ -84,12 +81,12 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
   /// acceleration that the subject returns is judged by the residual of the coordinates that have an inertia.
   /// A backward stable solution leaves a few eps of the terms there, as in the regular case.
   template <class T, class Case>
-  static void of_singular(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& M,
-                          const std::vector<double>& roots) {
+  static void of_singular(const TreeOperations<double>& o, const Case& c, Recorder& r,
+                          const std::vector<T>& M, const std::vector<double>& roots) {
     if (o[op::tree_mass_inverse]) r.outcome(inverse, 0, Outcome::ill_posed);
     if (!o[op::tree_aba]) return;
     for (const Output& output : outputs_of_aba(o)) r.outcome(output, 0, Outcome::ill_posed);
-    VecX<S> computed;
+    VecX<double> computed;
     try {
       computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
     } catch (const std::domain_error&) {
@@ -101,12 +98,12 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     const std::vector<double> w = moving_inverses(roots);
     const double terms = approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
                          approximate(weighted_norm(c.exact.a, w)) +
-                         weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
+                         weighted_size(c.sizes(c.stored.v, rough_list(a), true).tau, w);
     constexpr auto one = [] { return 1.0; };
     std::vector<T> residual = c.dynamics(c.exact.v, a).torque(c.exact.wrench);
     for (std::size_t k = 0; k < residual.size(); ++k) residual[k] -= c.exact.a[k];
     const std::vector<T> nothing(c.nv(), T(0));
-    r.record(acceleration, 0, weighted_error<S>(residual, nothing, w, T(terms)), one);
+    r.record(acceleration, 0, weighted_error(r.scalar(), residual, nothing, w, T(terms)), one);
   }
 };
 

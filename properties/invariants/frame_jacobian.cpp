@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
+class FrameJacobian final : public TreeLaw<FrameJacobian> {
  public:
   static constexpr Statement stated{
       .name = "frame_jacobian",
@@ -20,19 +19,20 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
       .formed = {{&op::frame_jacobian_rate, {&op::frame_jacobian, &op::frame_jacobian_rate}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     const ExactFrame<T> frame(c);
     const FrameSizes& sizes = frame.sizes;
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, frame.motion);
-      const MatX<S> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<S>();
-      const MatX<S> dJ = o[op::frame_jacobian_rate] ? o[op::frame_jacobian_rate](c.q, c.v, view) : MatX<S>();
+      const MatX<double> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<double>();
+      const MatX<double> dJ =
+          o[op::frame_jacobian_rate] ? o[op::frame_jacobian_rate](c.q, c.v, view) : MatX<double>();
       if (J.size())
         both(c, r, linear_angular(op::frame_jacobian), J, c.exact.v, exact.velocity,
              {sizes.velocity(view), sizes.w}, frame.resolved);
       if (J.size() && dJ.size()) {
-        MatX<S> J_dJ(6, 2 * J.cols());
+        MatX<double> J_dJ(6, 2 * J.cols());
         J_dJ << J, dJ;
         std::vector<T> a_v = c.exact.a;
         a_v.insert(a_v.end(), c.exact.v.begin(), c.exact.v.end());
@@ -46,7 +46,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
  private:
   /// Records the linear and the angular part of J x, with the exact numbers of J.
   template <class T, class Case>
-  static void both(const Case& c, Recorder& r, const TwoOutputs& outputs, const MatX<S>& J,
+  static void both(const Case& c, Recorder& r, const TwoOutputs& outputs, const MatX<double>& J,
                    const std::vector<T>& x, const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes,
                    bool resolved) {
     if (!oracles::all_finite(J)) return judged_value(r, {outputs[0], outputs[1]}, 0, J, true, [] {});

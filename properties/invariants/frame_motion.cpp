@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
+class FrameMotionLaw final : public TreeLaw<FrameMotionLaw> {
  public:
   static constexpr Statement stated{
       .name = "frame_motion",
@@ -24,28 +23,28 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
                   op::frame_classical_acceleration[block::angular]}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     const ExactFrame<T> frame(c);
     const auto& f = frame.motion;
     const bool resolved = frame.resolved;
     const FrameSizes& sizes = frame.sizes;
     const std::vector<double> three(3, 1);
     if (o[op::frame_pose]) {
-      const Pose<S> X = o[op::frame_pose](c.q);
+      const Pose<double> X = o[op::frame_pose](c.q);
       c.record(r, op::frame_pose[block::rotation], flat(X.R), to_list(f.R), std::vector<double>(9, 1),
-               std::sqrt(3.0) * oracles::mimic_factor(c.rough.tree, c.rough.q), resolved);
-      c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), to_list(f.p), three, sizes.position,
+               std::sqrt(3.0) * oracles::mimic_factor(c.stored.tree, c.stored.q), resolved);
+      c.record(r, op::frame_pose[block::translation], VecX<double>(X.p), to_list(f.p), three, sizes.position,
                resolved);
     }
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, f);
-      const auto both = [&](const TwoOutputs& blocks, const Vec<S, 6>& computed,
+      const auto both = [&](const TwoOutputs& blocks, const Vec<double, 6>& computed,
                             const oracles::Vec6<T>& value, double size_linear, double size_angular) {
-        c.record(r, blocks[0], VecX<S>(computed.template head<3>()), to_list(head3(value)), three,
-                 size_linear, resolved);
-        c.record(r, blocks[1], VecX<S>(computed.template tail<3>()), to_list(tail3(value)), three,
-                 size_angular, resolved);
+        c.record(r, blocks[0], VecX<double>(computed.head<3>()), to_list(head3(value)), three, size_linear,
+                 resolved);
+        c.record(r, blocks[1], VecX<double>(computed.tail<3>()), to_list(tail3(value)), three, size_angular,
+                 resolved);
       };
       if (o[op::frame_velocity])
         both(linear_angular(op::frame_velocity), o[op::frame_velocity](c.q, c.v, view), exact.velocity,

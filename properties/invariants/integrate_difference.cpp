@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class IntegrateDifference final : public Law<IntegrateDifference, S> {
+class IntegrateDifference final : public Law<IntegrateDifference> {
  public:
   static constexpr Statement stated{
       .name = "integrate_difference",
@@ -30,7 +29,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}},
       .formed = {{&op::difference_of_integrate, {&op::integrate, &op::difference}},
                  {&op::integrate_of_difference, {&op::integrate, &op::difference}}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source);
     return Joined<S>{p0,
@@ -40,29 +40,28 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    return norm_defect_at<S>(input, 3) <= 8 && norm_defect_at<S>(input, 10) <= 8;
+  bool valid(const std::vector<double>& input) const override {
+    if (!Property::valid(input)) return false;
+    return norm_defect_at(scalar(), input, 3) <= 8 && norm_defect_at(scalar(), input, 10) <= 8;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
-    const Vec<S, 6> d = read.template take<6>();
+    Reader read(input);
+    const Vec<double, 7> q0 = read.take<7>(), q1 = read.take<7>();
+    const Vec<double, 6> d = read.take<6>();
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
-    const Bands& bands = Bands::of<S>();
+    const Bands& bands = Bands::of(r.scalar());
 
     if (o[op::integrate]) {
-      const Vec<S, 7> q = o[op::integrate](q0, d);
-      const std::size_t band = band_of_angle<S>(tail3(xd));
-      const auto exact =
-          record_integrate<S>(r,
-                              {op::integrate[block::rotation], op::integrate[block::translation],
-                               op::integrate[block::norm_defect]},
-                              band, q, x0, xd);
+      const Vec<double, 7> q = o[op::integrate](q0, d);
+      const std::size_t band = band_of_angle(r.scalar(), tail3(xd));
+      const auto exact = record_integrate(r,
+                                          {op::integrate[block::rotation], op::integrate[block::translation],
+                                           op::integrate[block::norm_defect]},
+                                          band, q, x0, xd);
       if (o[op::difference]) {
         const bool beyond =
             bands[band].region == Region::beyond_pi;  // then difference returns a shorter delta
@@ -73,15 +72,15 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       }
     }
     if (o[op::difference]) {
-      const Vec<S, 6> v = o[op::difference](q0, q1);
+      const Vec<double, 6> v = o[op::difference](q0, q1);
       const auto exact = oracles::difference(x0, x1);
-      const std::size_t band = band_of_difference<S>(x0, x1, exact);
-      record_log<S>(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v,
-                    exact, Side::either, exact.separation);
+      const std::size_t band = band_of_difference(r.scalar(), x0, x1, exact);
+      record_log(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v, exact,
+                 Side::either, exact.separation);
       if (o[op::integrate] && (!all_finite(v) || !exact.resolved)) {
         without_value(r, op::integrate_of_difference, band, !all_finite(v), false);
       } else if (o[op::integrate]) {
-        const Vec<S, 7> q = o[op::integrate](q0, v);
+        const Vec<double, 7> q = o[op::integrate](q0, v);
         Quaternion<Real> Q1 = quaternion<Real>(q1);
         const Real n = norm(Q1);
         for (Real& c : Q1.x) c /= n;
@@ -90,9 +89,9 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         judged_value(r, {rotation, translation}, band, q, true, [&] {
           const Real scale =
               largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
-          r.record(rotation, band, rotation_error<S>(quaternion<Real>(q), Q1));
+          r.record(rotation, band, rotation_error(r.scalar(), quaternion<Real>(q), Q1));
           r.record(translation, band,
-                   vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
+                   vector_error(r.scalar(), exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
         });
       }
     }
@@ -109,8 +108,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                              : Outcome::unresolved);
   }
   template <class Real>
-  static oracles::Quaternion<Real> quaternion(const Vec<S, 7>& q) {
-    return oracles::exact_vector<4, Real>(q.template tail<4>());
+  static oracles::Quaternion<Real> quaternion(const Vec<double, 7>& q) {
+    return oracles::exact_vector<4, Real>(q.tail<4>());
   }
   template <class Real>
   static Real largest(const Real& a, const Real& b, const Real& c) {
@@ -120,7 +119,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   /// Compares difference(q, integrate(q, d)) with d. The rounding of the intermediate configuration is part
   /// of the error, so kappa is that of difference at that configuration.
   template <class Real>
-  static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd,
+  static void back(Recorder& r, const Vec<double, 6>& v, const oracles::Vec6<Real>& xd,
                    const oracles::Vec<7, Real>& x0, const oracles::Vec<7, Real>& xq, std::size_t band) {
     using namespace oracles;
     constexpr Output angular = op::difference_of_integrate[block::rotation_vector],
@@ -132,7 +131,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     // integrate_of_difference measures that case.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
-    if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0)
+    if (at.pi_minus_theta < Real(64 * static_cast<double>(r.scalar().epsilon)) && along < 0)
       return without_value(r, op::difference_of_integrate, band, false, true);
     // The quaternions affect both blocks. Their entries are known to eps of the norm 1, so the arguments are
     // factors of 1, whose changes are added. The positions affect only rho, which is linear in p1 - p0.
@@ -158,17 +157,17 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       return sum;
     };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
-    r.record(angular, band, vector_error<S>(tail3(xv), tail3(xd)),
-             [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
+    r.record(angular, band, vector_error(r.scalar(), tail3(xv), tail3(xd)),
+             [&] { return kappa.kappa(1, larger(phi, Real(r.scalar().least_denominator()))); });
     const Real scale = larger(rho, at.separation);
     // M = J^-1 R^T shortens no vector. So the term sum_i |x_i| ||M e_i|| of kappa is at least sum_i |x_i|.
     double moved = 0;
     for (int i = 0; i < 3; ++i) moved += at_most(x0[i]) + at_most(xq[i]);
-    const Real by = larger(scale, least_denominator<S, Real>());
+    const Real by = larger(scale, Real(r.scalar().least_denominator()));
     const auto kappa_linear = [&] {
       return condition_number<Real>(kappa.movement(0) + movement_of_positions(), by);
     };
-    r.record(linear, band, vector_error<S>(head3(xv), head3(xd), scale),
+    r.record(linear, band, vector_error(r.scalar(), head3(xv), head3(xd), scale),
              Kappa(kappa_linear, 0.99 * moved / at_most(by)));
   }
 };

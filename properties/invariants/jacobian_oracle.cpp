@@ -10,8 +10,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class JacobianOracle final : public Law<JacobianOracle, S> {
+class JacobianOracle final : public Law<JacobianOracle> {
  public:
   static constexpr Statement stated{
       .name = "jacobian_oracle",
@@ -26,20 +25,21 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
                   op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling]},
       .fields = {{"rho", Kind::vector, 3, "m", Reach::full},
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    const Vec<S, 6> xi = Reader<S>(input).template take<6>();
-    const Vec<S, 3> phi = xi.template tail<3>();
+    const Vec<double, 6> xi = Reader(input).take<6>();
+    const Vec<double, 3> phi = xi.tail<3>();
     const auto x = exact_vector<6, Real>(xi);
     const Jacobians<Real> exact(x);
     const Real theta = norm(tail3(x)), rho = norm(head3(x));
-    const std::size_t band = band_of_angle<S>(tail3(x));
-    const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
+    const std::size_t band = band_of_angle(r.scalar(), tail3(x));
+    const bool beyond = Bands::of(r.scalar())[band].region == Region::beyond_pi;
 
     // The right Jacobian is the left one at -xi, so its blocks have the same kappa.
     const auto flat = [](const JacobianBlocks<Real>& b) { return to_list(b.J, b.C); };
@@ -72,19 +72,19 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       const Real n = norm(exact.J), own = norm(exact.C), least = rho * smaller(n, Real(1));
       return beyond ? larger(own, least) : own;
     };
-    const auto three = [&](Mat<S, 3> (*operation)(const Vec<S, 3>&), const Output& output,
-                           const Jacobian6Value<Real>& exact, bool inverse) {
+    const auto three = [&](const auto& operation, const Output& output, const Jacobian6Value<Real>& exact,
+                           bool inverse) {
       if (!operation) return;
-      const Mat<S, 3> J = operation(phi);
+      const Mat<double, 3> J = operation(phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
-        r.record(output, band, vector_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
+        r.record(output, band, vector_error(r.scalar(), exact_matrix<3, 3, Real>(J), exact.J),
                  [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };
-    const auto six = [&](Mat<S, 6> (*operation)(const Vec<S, 6>&), const TwoOutputs& outputs,
-                         const Jacobian6Value<Real>& exact, bool inverse) {
+    const auto six = [&](const auto& operation, const TwoOutputs& outputs, const Jacobian6Value<Real>& exact,
+                         bool inverse) {
       if (!operation) return;
-      record_jacobian6<S>(
+      record_jacobian6(
           r, outputs, band, operation(xi), exact, rho, beyond,
           [&] { return kappa(inverse, false, size(exact, false)); },
           [&] { return kappa(inverse, true, size(exact, true)); });

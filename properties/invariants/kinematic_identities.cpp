@@ -27,8 +27,7 @@ oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q,
   return Real(2) * (n_dot[3] * v + n[3] * v_dot + v_dot * v + v * v_dot);
 }
 
-template <class S>
-class KinematicIdentities final : public Law<KinematicIdentities, S> {
+class KinematicIdentities final : public Law<KinematicIdentities> {
  public:
   static constexpr const auto& measured = op::integrate_coefficient_jacobian;
   static constexpr Statement stated{
@@ -45,26 +44,27 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
                  {"Q", Kind::quaternion, 4, "1"},
                  {"u", Kind::vector, 3, "m/s", Reach::full},
                  {"omega", Kind::vector, 3, "rad/s", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     return Joined<S>{vector3<S>(source), unit_quaternion<S>(source), vector3<S>(source), vector3<S>(source)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    Reader<S> reader(input);
-    reader.template take<3>();
-    const auto Q = oracles::exact_vector<4, Real>(reader.template take<4>());
-    return oracles::norm_distance(Q) <= 32 * oracles::epsilon<S>();
+  bool valid(const std::vector<double>& input) const override {
+    if (!Property::valid(input)) return false;
+    Reader reader(input);
+    reader.take<3>();
+    const auto Q = oracles::exact_vector<4, Real>(reader.take<4>());
+    return oracles::norm_distance(Q) <= 32 * scalar().epsilon;
   }
 
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const {
     using namespace oracles;
     const auto operation = subject.operations[measured];
     if (!operation) return;
-    Reader<S> reader(input);
-    const auto q = reader.template take<7>();
-    const auto v = reader.template take<6>();
-    const properties::Mat<S, 7, 6> computed = operation(q);
+    Reader reader(input);
+    const auto q = reader.take<7>();
+    const auto v = reader.take<6>();
+    const properties::Mat<double, 7, 6> computed = operation(q);
     const auto all = [&](int first, int last, Outcome outcome) {
       for (int i = first; i <= last; ++i) recorder.outcome(stated.outputs[i], 0, outcome);
     };
@@ -85,9 +85,9 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     if (rate.resolved) {
       const Vec7<Real> q_dot = J * v_e;
       const Quaternion<Real> Q_dot = quaternion_of(q_dot);
-      record(measured[block::translation], vector_error<S>(head3(q_dot), rate.p_dot));
-      record(measured[block::rotation_rate], vector_error<S>(Q_dot, Q_norm * rate.Q_dot));
-      record(measured[block::R_dot], vector_error<S>(rotation_rate(Q, Q_dot), rate.R_dot));
+      record(measured[block::translation], vector_error(recorder.scalar(), head3(q_dot), rate.p_dot));
+      record(measured[block::rotation_rate], vector_error(recorder.scalar(), Q_dot, Q_norm * rate.Q_dot));
+      record(measured[block::R_dot], vector_error(recorder.scalar(), rotation_rate(Q, Q_dot), rate.R_dot));
     } else {
       all(0, 2, Outcome::unresolved);
     }
@@ -95,14 +95,13 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
       record(measured[block::translation_matrix],
-             vector_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)));
+             vector_error(recorder.scalar(), corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)));
       record(measured[block::quaternion_matrix],
-             vector_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)));
+             vector_error(recorder.scalar(), corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)));
     } else {
       all(3, 4, Outcome::unresolved);
     }
-    const bool zero =
-        computed.template block<3, 3>(0, 3).isZero(0) && computed.template block<4, 3>(3, 0).isZero(0);
+    const bool zero = computed.block<3, 3>(0, 3).isZero(0) && computed.block<4, 3>(3, 0).isZero(0);
     record(measured[block::zeros], zero ? 0.0 : std::numeric_limits<double>::infinity());
   }
 

@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class Lagrange final : public TreeLaw<Lagrange, S> {
+class Lagrange final : public TreeLaw<Lagrange> {
  public:
   static constexpr Output torque = op::tree_rnea[block::torque],
                           nonlinear = op::tree_nonlinear_effects[block::torque],
@@ -23,26 +22,26 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
       .outputs = {torque, nonlinear, gravity, mass, kinetic, potential}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     const std::vector<T> still(c.nv(), T(0));
     const auto moving = c.dynamics(c.exact.v, c.exact.a);
     const bool resolved = c.resolved();
     const std::vector<T> M = moving.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
     const std::vector<double> at_rest(c.nv(), 0);
-    const auto torque_of = [&](const Output& output, const VecX<S>& computed,
+    const auto torque_of = [&](const Output& output, const VecX<double>& computed,
                                const oracles::TreeDynamics<T>& d, const oracles::TreeSizes<double>& sizes,
                                bool pushed) {
       c.record(r, output, computed, pushed ? d.torque(c.exact.wrench) : d.torque(), w,
                weighted_size(sizes.tau, w), resolved);
     };
-    const auto sizes = c.sizes(c.rough.v, c.rough.a, true);
+    const auto sizes = c.sizes(c.stored.v, c.stored.a, true);
     if (o[op::tree_rnea])
       torque_of(torque, o[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F), moving, sizes, true);
     if (o[op::tree_nonlinear_effects])
       torque_of(nonlinear, o[op::tree_nonlinear_effects](c.q, c.v), c.dynamics(c.exact.v, still),
-                c.sizes(c.rough.v, at_rest), false);
+                c.sizes(c.stored.v, at_rest), false);
     if (o[op::tree_gravity])
       torque_of(gravity, o[op::tree_gravity](c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest),
                 false);
@@ -51,10 +50,10 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
                resolved);
     const std::vector<double> one{1};
     if (o[op::tree_kinetic_energy])
-      c.record(r, kinetic, VecX<S>::Constant(1, o[op::tree_kinetic_energy](c.q, c.v)),
+      c.record(r, kinetic, VecX<double>::Constant(1, o[op::tree_kinetic_energy](c.q, c.v)),
                {moving.kinetic_energy()}, one, sizes.kinetic, resolved);
     if (o[op::tree_potential_energy])
-      c.record(r, potential, VecX<S>::Constant(1, o[op::tree_potential_energy](c.q)),
+      c.record(r, potential, VecX<double>::Constant(1, o[op::tree_potential_energy](c.q)),
                {moving.potential_energy()}, one, sizes.potential, resolved);
   }
 };

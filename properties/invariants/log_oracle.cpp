@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class LogOracle final : public Law<LogOracle, S> {
+class LogOracle final : public Law<LogOracle> {
  public:
   static constexpr Statement stated{
       .name = "log_oracle",
@@ -20,43 +19,44 @@ class LogOracle final : public Law<LogOracle, S> {
       .fields = {{"Q", Kind::quaternion, 4, "1"},
                  {"R", Kind::rotation_matrix, 9, "1"},
                  {"p", Kind::vector, 3, "m", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto Q = unit_quaternion<S>(source);
     return Joined<S>{Q, rotation_matrix<S>(Q), vector3<S>(source)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 &&
-           orthogonality_defect_at(input, 4) <= 8;
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
+           orthogonality_defect_at(scalar(), input, 4) <= 8;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 4> Q = read.template take<4>();
-    const Mat<S, 3> R = read.take_matrix();
-    const Vec<S, 3> p = read.template take<3>();
+    Reader read(input);
+    const Vec<double, 4> Q = read.take<4>();
+    const Mat<double, 3> R = read.take_matrix();
+    const Vec<double, 3> p = read.take<3>();
     if (o[op::log3_quaternion]) {
       const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
       constexpr Output output = op::log3_quaternion[block::rotation_vector];
-      const std::size_t band = band_of_log<S>(exact);
-      record_log<S>(r, {output}, band, rotation(o[op::log3_quaternion](Q)), exact, side_of(r, output, band));
+      const std::size_t band = band_of_log(r.scalar(), exact);
+      record_log(r, {output}, band, rotation(o[op::log3_quaternion](Q)), exact, side_of(r, output, band));
     }
     if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =
         oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
-    const std::size_t band = band_of_log<S>(exact);
+    const std::size_t band = band_of_log(r.scalar(), exact);
     if (o[op::log3_matrix])
-      record_log<S>(r, {op::log3_matrix[block::rotation_vector]}, band, rotation(o[op::log3_matrix](R)),
-                    exact, Side::either);
+      record_log(r, {op::log3_matrix[block::rotation_vector]}, band, rotation(o[op::log3_matrix](R)), exact,
+                 Side::either);
     if (o[op::log6])
-      record_log<S>(r, {op::log6[block::rotation_vector], op::log6[block::linear]}, band, o[op::log6]({R, p}),
-                    exact, Side::either);
+      record_log(r, {op::log6[block::rotation_vector], op::log6[block::linear]}, band, o[op::log6]({R, p}),
+                 exact, Side::either);
   }
 
  private:
-  static Vec<S, 6> rotation(const Vec<S, 3>& phi) {
-    Vec<S, 6> xi;
-    xi << Vec<S, 3>::Zero(), phi;
+  static Vec<double, 6> rotation(const Vec<double, 3>& phi) {
+    Vec<double, 6> xi;
+    xi << Vec<double, 3>::Zero(), phi;
     return xi;
   }
 };

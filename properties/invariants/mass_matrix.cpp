@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class MassMatrix final : public TreeLaw<MassMatrix, S> {
+class MassMatrix final : public TreeLaw<MassMatrix> {
  public:
   static constexpr Output symmetric = op::crba_symmetric[block::matrix],
                           definite = op::crba_positive[block::matrix],
@@ -25,12 +24,12 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
                  {&op::crba_columns, {&op::tree_crba, &op::tree_rnea}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    Tree<S> weightless = described(c.stored);
-    weightless.gravity = {{S(0), S(0), S(0)}};
-    const TreeOperations<S> o = subject.tree(weightless);
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    Tree<double> weightless = described(c.stored);
+    weightless.gravity = {{0, 0, 0}};
+    const TreeOperations<double> o = subject.tree(weightless);
     if (!o[op::tree_crba]) return;
-    const MatX<S> M = o[op::tree_crba](c.q);
+    const MatX<double> M = o[op::tree_crba](c.q);
     if (!oracles::all_finite(M)) {
       for (const Output& output : {symmetric, definite, columns}) r.outcome(output, 0, Outcome::not_finite);
       return;
@@ -42,9 +41,9 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const T size = weighted_norm(exact, products(w));
     const std::vector<T> stored = exact_list<T>(flat(M)),
-                         transposed = exact_list<T>(flat(MatX<S>(M.transpose()))),
+                         transposed = exact_list<T>(flat(MatX<double>(M.transpose()))),
                          factor = oracles::positive_factor(exact, c.nv());
-    r.record(symmetric, 0, weighted_error<S>(transposed, stored, products(w), size));
+    r.record(symmetric, 0, weighted_error(r.scalar(), transposed, stored, products(w), size));
     if (factor.empty()) {  // a massless body: M is only positive semidefinite
       r.outcome(definite, 0, Outcome::ill_posed);
     } else {
@@ -55,12 +54,14 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
                [&] { return 16 * inverse * terms; });
     }
     if (!o[op::tree_rnea]) return;
-    const VecX<S> none = VecX<S>::Zero(c.q.size() ? static_cast<int>(c.nv()) : 0);
-    MatX<S> by_columns(none.size(), none.size());
+    const VecX<double> none = VecX<double>::Zero(c.q.size() ? static_cast<int>(c.nv()) : 0);
+    MatX<double> by_columns(none.size(), none.size());
     for (int k = 0; k < none.size(); ++k)
-      by_columns.col(k) = o[op::tree_rnea](c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
+      by_columns.col(k) =
+          o[op::tree_rnea](c.q, none, VecX<double>::Unit(none.size(), k), -1, Vec<double, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
-    r.record(columns, 0, weighted_error<S>(exact_list<T>(flat(by_columns)), stored, products(w), size),
+    r.record(columns, 0,
+             weighted_error(r.scalar(), exact_list<T>(flat(by_columns)), stored, products(w), size),
              [&] { return terms / approximate(size); });
   }
 };

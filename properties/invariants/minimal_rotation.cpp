@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class MinimalRotation final : public SlowLaw<MinimalRotation, S> {
+class MinimalRotation final : public SlowLaw<MinimalRotation> {
  public:
   static constexpr const auto& measured = op::rotation_between;
   static constexpr Statement stated{
@@ -19,43 +18,47 @@ class MinimalRotation final : public SlowLaw<MinimalRotation, S> {
       .outputs = {measured[block::direction], measured[block::twist], measured[block::norm_defect]},
       .fields = {{"a", Kind::direction, 3, "1"}, {"b", Kind::direction, 3, "1", Reach::beside}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto a = direction<S>(source);
-    return Joined<S>{a, beside(source, a)};
+    return Joined<S>{a, beside<S>(source, a)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
+  bool valid(const std::vector<double>& input) const override {
+    if (!Property::valid(input)) return false;
     const auto unit = [&](std::size_t first) {
       const oracles::Vec3<> v = oracles::exact_vector<3>(input.data() + first);
-      return abs(squared_norm(v) - 1) <= Real(8) * oracles::epsilon<S>();
+      return abs(squared_norm(v) - 1) <= Real(8 * scalar().epsilon);
     };
     return unit(0) && unit(3);
   }
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     if (!subject.operations[measured]) return;
     using namespace oracles;
     constexpr Output direction = measured[block::direction], twist = measured[block::twist],
                      defect = measured[block::norm_defect];
-    Reader<S> read(input);
-    const Vec<S, 3> a = read.template take<3>(), b = read.template take<3>();
+    Reader read(input);
+    const Vec<double, 3> a = read.take<3>(), b = read.take<3>();
     const Vec3<> x = exact_vector<3>(a), y = exact_vector<3>(b);
     const Vec3<> from = Real(1 / norm(x)) * x, to = Real(1 / norm(y)) * y;
     const Real plus = norm(from + to), angle = 2 * atan2(norm(to - from), plus);
-    const std::size_t band = plus < Real(1e-45) ? Bands::of<S>().at_pi() : Bands::of<S>().classify(angle);
-    const Vec<S, 4> computed = subject.operations[measured](a, b);
+    const std::size_t band =
+        plus < Real(1e-45) ? Bands::of(r.scalar()).at_pi() : Bands::of(r.scalar()).classify(angle);
+    const Vec<double, 4> computed = subject.operations[measured](a, b);
     judged_value(r, {direction, twist, defect}, band, computed, true, [&] {
       const Quaternion<> Q = exact_vector<4>(computed);
       const Real length = norm(Q);
       const bool rotates =
           length > 0;  // Q = 0 turns a into no direction: its distance is that of the opposite one
-      r.record(direction, band, in_eps<S>(rotates ? Real(norm(rotate(Q, from) - to)) : Real(2)));
-      r.record(twist, band, in_eps<S>(rotates ? Real(2 * abs(dot(head3(Q), from)) / length) : Real(0)));
-      r.record(defect, band, norm_defect<S>(Q));
+      r.record(direction, band, in_eps(r.scalar(), rotates ? Real(norm(rotate(Q, from) - to)) : Real(2)));
+      r.record(twist, band,
+               in_eps(r.scalar(), rotates ? Real(2 * abs(dot(head3(Q), from)) / length) : Real(0)));
+      r.record(defect, band, norm_defect(r.scalar(), Q));
     });
   }
 
  private:
   /// Equal or opposite to a, a few ulps from that, near it, at a right angle to a, or any.
+  template <class S>
   static Vec<S, 3> beside(Source& source, const Vec<S, 3>& a) {
     using std::sqrt;
     const S sign = source.chance(1, 2) ? S(1) : S(-1);

@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class Normalisation final : public Law<Normalisation, S> {
+class Normalisation final : public Law<Normalisation> {
  public:
   static constexpr const auto& measured = op::first_order_normalize;
   static constexpr Statement stated{.name = "normalisation",
@@ -17,7 +16,8 @@ class Normalisation final : public Law<Normalisation, S> {
                                     .source = "Higham 2008, eq. 8.20 (Newton-Schulz)",
                                     .outputs = {measured[block::quaternion]},
                                     .fields = {{"Q", Kind::any_quaternion, 4, "1", Reach::any}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto Q = unit_quaternion<S>(source);
     const std::uint64_t kind = source.below(4);
     const S step = source.symmetric<S>();  // the norms 0.75 and 1.2 are in the domain
@@ -25,18 +25,18 @@ class Normalisation final : public Law<Normalisation, S> {
     return Joined<S>{
         Vec<S, 4>((kind == 1 ? S(1) + step / S(1000000) : S(39) / S(40) + step * S(9) / S(40)) * Q)};
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) &&
-           norm_defect_at(input, 0) <= std::ldexp(0.5, std::numeric_limits<S>::digits - 1);
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) &&
+           norm_defect_at(scalar(), input, 0) <= std::ldexp(0.5, scalar().digits - 1);
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     if (!subject.operations[measured]) return;
-    const Vec<S, 4> Q = Reader<S>(input).template take<4>(), computed = subject.operations[measured](Q);
+    const Vec<double, 4> Q = Reader(input).take<4>(), computed = subject.operations[measured](Q);
     const auto exact = oracles::first_order_normalize(oracles::exact_vector<4, Real>(Q));
     judged_value(r, {measured[block::quaternion]}, 0, computed, exact.resolved, [&] {
       r.record(measured[block::quaternion], 0,
-               oracles::vector_error<S>(oracles::exact_vector<4, Real>(computed), exact.value));
+               oracles::vector_error(r.scalar(), oracles::exact_vector<4, Real>(computed), exact.value));
     });
   }
 };

@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
+class PlanarPoses final : public SlowLaw<PlanarPoses> {
  public:
   static constexpr Statement stated{
       .name = "planar_poses",
@@ -28,34 +27,36 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
                  {"p1", Kind::vector, 2, "m", Reach::any},
                  {"r1", Kind::direction, 2, "1", Reach::any}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     constexpr int binades = 16;
+    constexpr S pi = boost::math::constants::pi<S>();
     const S sign = source.chance(1, 2) ? S(1) : S(-1);
     std::vector<S> x;
     append(x, vector3<S>(source, binades).template head<2>());
-    x.push_back(std::clamp(S(sign * angle<S>(source, AngleRange::to_pi)), S(-pi()), pi()));
+    x.push_back(std::clamp(S(sign * angle<S>(source, AngleRange::to_pi)), S(-pi), pi));
     const Vec<S, 3> p0 = vector3<S>(source, binades);
-    const Vec<S, 2> r0 = unit_pair(source);
+    const Vec<S, 2> r0 = unit_pair<S>(source);
     Vec<S, 2> p1 = p0.template head<2>();
     if (!source.chance(1, 4)) p1 = vector3<S>(source, binades).template head<2>();
-    append(x, p0.template head<2>()), append(x, r0), append(x, p1), append(x, beside(source, r0));
+    append(x, p0.template head<2>()), append(x, r0), append(x, p1), append(x, beside<S>(source, r0));
     return x;
   }
-  bool valid(const std::vector<S>& input) const override {
+  bool valid(const std::vector<double>& input) const override {
     const auto unit = [&](std::size_t i) {
       const Real c = oracles::exact<Real>(input[i]), s = oracles::exact<Real>(input[i + 1]);
-      return abs(Real(c * c + s * s - 1)) <= Real(8) * oracles::epsilon<S>();
+      return abs(Real(c * c + s * s - 1)) <= Real(8 * scalar().epsilon);
     };
-    return Property<S>::valid(input) && input[2] <= pi() && input[2] >= -pi() && unit(5) && unit(9);
+    return Property::valid(input) && std::fabs(input[2]) <= scalar().pi && unit(5) && unit(9);
   }
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 3> delta = read.template take<3>();
-    const Vec<S, 4> q0 = read.template take<4>(), q1 = read.template take<4>();
+    Reader read(input);
+    const Vec<double, 3> delta = read.take<3>();
+    const Vec<double, 4> q0 = read.take<4>(), q1 = read.take<4>();
     const auto step = oracles::exact_vector<3>(delta);
     const auto x0 = oracles::exact_vector<4>(q0), x1 = oracles::exact_vector<4>(q1);
-    const std::size_t band = Bands::of<S>().classify(Real(abs(step[2])));
+    const std::size_t band = Bands::of(r.scalar()).classify(Real(abs(step[2])));
     if (o[op::se2_exp] || o[op::se2_integrate]) {
       const auto exp = oracles::planar_exp(step);
       if (o[op::se2_exp])
@@ -90,15 +91,16 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
   }
 
  private:
-  static S pi() { return boost::math::constants::pi<S>(); }
   static Real size_of(const oracles::PlanarPose& q) { return sqrt(Real(q[0] * q[0] + q[1] * q[1])); }
   static Real apart(const oracles::PlanarPose& a, const oracles::PlanarPose& b) { return size_of(a - b); }
 
+  template <class S>
   static Vec<S, 2> normalized(const Vec<S, 2>& r) {
     using std::sqrt;
     return r / S(sqrt(r.squaredNorm()));
   }
   /// Along an axis, near one, or any.
+  template <class S>
   static Vec<S, 2> unit_pair(Source& source) {
     Vec<S, 2> r(source.symmetric<S>(), source.symmetric<S>());
     const std::uint64_t kind = source.below(4);
@@ -111,9 +113,10 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
       if (source.chance(1, 2)) std::swap(r[0], r[1]);
     }
     if (!(r.squaredNorm() > S(1) / S(64))) r << sign, S(0);
-    return normalized(r);
+    return normalized<S>(r);
   }
   /// Equal or opposite to r0, a few ulps from that, near it, or any.
+  template <class S>
   static Vec<S, 2> beside(Source& source, const Vec<S, 2>& r0) {
     Vec<S, 2> r = source.chance(1, 3) ? Vec<S, 2>(-r0) : r0;
     switch (source.below(5)) {
@@ -121,34 +124,34 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
         return r;
       case 1:
         for (int i = 0; i < 2; ++i) r[i] = step_ulps(r[i], source.between(-2, 2));
-        return normalized(r);
+        return normalized<S>(r);
       case 2:
       case 3: {
         const S s = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0);
-        return normalized(Vec<S, 2>(r[0] - s * r[1], r[1] + s * r[0]));
+        return normalized<S>(Vec<S, 2>(r[0] - s * r[1], r[1] + s * r[0]));
       }
       default:
-        return unit_pair(source);
+        return unit_pair<S>(source);
     }
   }
   static void record_pose(Recorder& r, const std::array<Output, 3>& outputs, std::size_t band,
-                          const Vec<S, 4>& computed, const oracles::PlanarPose& exact, bool resolved,
+                          const Vec<double, 4>& computed, const oracles::PlanarPose& exact, bool resolved,
                           const Real& scale) {
     judged_value(r, {outputs[0], outputs[1], outputs[2]}, band, computed, resolved, [&] {
       const auto q = oracles::exact_vector<4>(computed);
       const Real square = q[2] * q[2] + q[3] * q[3], length = sqrt(square);
       const oracles::Vec<2> p{{q[0], q[1]}}, right{{exact[0], exact[1]}},
           turned{{q[2] / length - exact[2], q[3] / length - exact[3]}};
-      r.record(outputs[0], band, oracles::in_eps<S>(norm(turned)));
-      r.record(outputs[1], band, oracles::vector_error<S>(p, right, scale));
-      r.record(outputs[2], band, oracles::in_eps<S>(Real(abs(square - 1))));
+      r.record(outputs[0], band, oracles::in_eps(r.scalar(), norm(turned)));
+      r.record(outputs[1], band, oracles::vector_error(r.scalar(), p, right, scale));
+      r.record(outputs[2], band, oracles::in_eps(r.scalar(), Real(abs(square - 1))));
     });
   }
-  static void record_difference(Recorder& r, const TwoOutputs& outputs, const Vec<S, 3>& computed,
+  static void record_difference(Recorder& r, const TwoOutputs& outputs, const Vec<double, 3>& computed,
                                 const oracles::LogResult& exact, const Real& scale) {
-    Vec<S, 6> xi;
-    xi << computed[0], computed[1], S(0), S(0), S(0), computed[2];
-    record_log<S>(r, {outputs[0], outputs[1]}, band_of_log<S>(exact), xi, exact, Side::either, scale);
+    Vec<double, 6> xi;
+    xi << computed[0], computed[1], 0, 0, 0, computed[2];
+    record_log(r, {outputs[0], outputs[1]}, band_of_log(r.scalar(), exact), xi, exact, Side::either, scale);
   }
 };
 

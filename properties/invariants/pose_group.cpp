@@ -8,8 +8,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class PoseGroup final : public Law<PoseGroup, S> {
+class PoseGroup final : public Law<PoseGroup> {
  public:
   static constexpr Statement stated{
       .name = "pose_group",
@@ -22,7 +21,8 @@ class PoseGroup final : public Law<PoseGroup, S> {
                  {"p", Kind::vector, 3, "m", Reach::full},
                  {"R_Y", Kind::rotation_matrix, 9, "1"},
                  {"p_Y", Kind::vector, 3, "m", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     std::vector<S> x;
     for (int i = 0; i < 2; ++i) {
       append(x, rotation_matrix<S>(unit_quaternion<S>(source)));
@@ -30,15 +30,15 @@ class PoseGroup final : public Law<PoseGroup, S> {
     }
     return x;
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && orthogonality_defect_at(input, 0) <= 8 &&
-           orthogonality_defect_at(input, 12) <= 8;
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && orthogonality_defect_at(scalar(), input, 0) <= 8 &&
+           orthogonality_defect_at(scalar(), input, 12) <= 8;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    Reader<S> read(input);
+    Reader read(input);
     const auto X = read.take_pose(), Y = read.take_pose();
     const Vec3<Real> none{{Real(0), Real(0), Real(0)}};
     const PoseOf<Real> x = exact_pose<Real>(X), y = exact_pose<Real>(Y), linear{x.R, none};
@@ -54,11 +54,13 @@ class PoseGroup final : public Law<PoseGroup, S> {
         for (int i = 0; i < 3; ++i)
           columns[3 * j + i] = column.value[i], computed[3 * j + i] = exact<Real>(XY.R(i, j));
       }
-      judged_value(r, {op::compose[block::matrix]}, 0, XY.R, resolved,
-                   [&] { r.record(op::compose[block::matrix], 0, vector_error<S>(computed, columns)); });
+      judged_value(r, {op::compose[block::matrix]}, 0, XY.R, resolved, [&] {
+        r.record(op::compose[block::matrix], 0, vector_error(r.scalar(), computed, columns));
+      });
       judged_value(r, {op::compose[block::translation]}, 0, XY.p, p.resolved, [&] {
-        r.record(op::compose[block::translation], 0,
-                 vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
+        r.record(
+            op::compose[block::translation], 0,
+            vector_error(r.scalar(), exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
       });
     }
     if (o[op::inverse]) {
@@ -66,15 +68,15 @@ class PoseGroup final : public Law<PoseGroup, S> {
       const auto p = oracles::act_inverse_point(x, none);
       judged_value(r, {op::inverse[block::matrix]}, 0, inverse.R, true, [&] {
         r.record(op::inverse[block::matrix], 0,
-                 vector_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
+                 vector_error(r.scalar(), exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
       });
       judged_value(r, {op::inverse[block::translation]}, 0, inverse.p, p.resolved, [&] {
         r.record(op::inverse[block::translation], 0,
-                 vector_error<S>(exact_vector<3, Real>(inverse.p), p.value));
+                 vector_error(r.scalar(), exact_vector<3, Real>(inverse.p), p.value));
       });
     }
     if (o[op::act_point]) {
-      const properties::Vec<S, 3> point = o[op::act_point](X, Y.p);
+      const properties::Vec<double, 3> point = o[op::act_point](X, Y.p);
       const auto p = oracles::act_point(x, y.p);
       record_sum(r, op::act_point[block::point], point, p.value, p.resolved, Real(norm(x.p) + norm(y.p)));
     }

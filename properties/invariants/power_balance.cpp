@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class PowerBalance final : public TreeLaw<PowerBalance, S> {
+class PowerBalance final : public TreeLaw<PowerBalance> {
  public:
   static constexpr Statement stated{
       .name = "power_balance",
@@ -18,17 +17,17 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       .formed = {{&op::tree_power, {&op::tree_rnea}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    const TreeOperations<S> o = subject.tree(described(c.stored));
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<double> o = subject.tree(described(c.stored));
     if (!o[op::tree_rnea]) return;
-    const VecX<S> tau = o[op::tree_rnea](c.q, c.v, c.a, -1, Vec<S, 6>::Zero());
+    const VecX<double> tau = o[op::tree_rnea](c.q, c.v, c.a, -1, Vec<double, 6>::Zero());
     if (!oracles::all_finite(tau)) return r.outcome(op::tree_power[block::power], 0, Outcome::not_finite);
     T power(0);
     double terms = 0;
-    const auto sizes = c.sizes(c.rough.v, c.rough.a);
+    const auto sizes = c.sizes(c.stored.v, c.stored.a);
     for (std::size_t k = 0; k < c.nv(); ++k) {
       power += oracles::exact<T>(tau[static_cast<int>(k)]) * c.exact.v[k];
-      terms += sizes.tau[k] * std::fabs(c.rough.v[k]);
+      terms += sizes.tau[k] * std::fabs(c.stored.v[k]);
     }
     c.record(r, op::tree_power[block::power], std::vector<T>{power},
              {c.dynamics(c.exact.v, c.exact.a).energy_rate()}, {1}, terms, c.resolved());

@@ -10,8 +10,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class PowerPairing final : public Law<PowerPairing, S> {
+class PowerPairing final : public Law<PowerPairing> {
  public:
   static constexpr bool needs_kappa = true;  ///< nearly every case needs it
   static constexpr Statement stated{
@@ -39,13 +38,14 @@ class PowerPairing final : public Law<PowerPairing, S> {
                  {"Q", Kind::quaternion, 4, "1"}},
       .formed = {{&op::power, {&op::act_motion, &op::act_force}}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     std::vector<S> input;
     const Vec<S, 4> Q = unit_quaternion<S>(source);
     append(input, rotation_matrix<S>(Q));
     const std::uint64_t extreme = source.below(32);
     for (int i = 0; i < 7; ++i)  // p u w f n u_W w_W
-      append(input, vector3<S>(source, extreme <= 1 ? 2 : binades));
+      append(input, vector3<S>(source, extreme <= 1 ? 2 : std::numeric_limits<S>::max_exponent / 8));
     append(input, Q);
     // Units in which velocities, or lengths, are tiny or their squares overflow, but no product of the law.
     // Lengths are not subnormal: their last digit is then larger than eps, and a velocity multiplies it.
@@ -60,34 +60,31 @@ class PowerPairing final : public Law<PowerPairing, S> {
     }
     return input;
   }
-  bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    Reader<S> reader(input);
+  bool valid(const std::vector<double>& input) const override {
+    if (!Property::valid(input)) return false;
+    Reader reader(input);
     const auto R = oracles::exact_matrix<3, 3, Real>(reader.take_matrix());
-    const auto length = [&reader] {
-      return Real(norm(oracles::exact_vector<3, Real>(reader.template take<3>())));
-    };
+    const auto length = [&reader] { return Real(norm(oracles::exact_vector<3, Real>(reader.take<3>()))); };
     const Real p = length(), u = length(), w = length(), f = length(), n = length(), u_W = length(),
                w_W = length(), a = u + p * w, b = n + p * f;
     // Every product of the law, and every number, is finite.
-    const Real largest = oracles::two_to<Real>(std::numeric_limits<S>::max_exponent - 8);
+    const Real largest = oracles::two_to<Real>(scalar().max_exponent - 8);
     for (const Real& product :
          {a, b, Real(f * a + b * w), Real(w * (u_W + w_W + f + n) + u * (w_W + f)), Real(u_W + w_W)})
       if (product > largest) return false;
-    const auto Q = oracles::exact_vector<4, Real>(reader.template take<4>());
-    const Real slack = 32 * oracles::epsilon<S>();
+    const auto Q = oracles::exact_vector<4, Real>(reader.take<4>());
+    const Real slack = 32 * scalar().epsilon;
     return oracles::orthogonality_distance(R) <= slack && determinant(R, cofactors(R)) > 0 &&
            oracles::norm_distance(Q) <= slack;
   }
 
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const {
     const auto& o = subject.operations;
-    Reader<S> reader(input);
-    const Pose<S> X = reader.take_pose();
-    const Vec<S, 6> V = reader.template take<6>(), F = reader.template take<6>(),
-                    W = reader.template take<6>();
-    const Vec<S, 4> Q = reader.template take<4>();
+    Reader reader(input);
+    const Pose<double> X = reader.take_pose();
+    const Vec<double, 6> V = reader.take<6>(), F = reader.take<6>(), W = reader.take<6>();
+    const Vec<double, 4> Q = reader.take<4>();
     const auto X_e = exact_pose<Real>(X);
     const auto V_e = oracles::exact_vector<6, Real>(V), F_e = oracles::exact_vector<6, Real>(F),
                W_e = oracles::exact_vector<6, Real>(W);
@@ -97,20 +94,19 @@ class PowerPairing final : public Law<PowerPairing, S> {
     using Numbers = std::vector<Real>;
     using Pose_e = oracles::PoseOf<Real>;
     using Result = oracles::Resolved<Vector6>;
-    const auto act = [&](Vec<S, 6> (*operation)(const Pose<S>&, const Vec<S, 6>&), const TwoOutputs& blocks,
-                         const Vec<S, 6>& v, const Vector6& v_e,
-                         Result (*oracle)(const Pose_e&, const Vector6&), bool of_force) {
+    const auto act = [&](const auto& operation, const TwoOutputs& blocks, const Vec<double, 6>& v,
+                         const Vector6& v_e, Result (*oracle)(const Pose_e&, const Vector6&), bool of_force) {
       if (!operation) return;
-      const Vec<S, 6> computed = operation(X, v);
+      const Vec<double, 6> computed = operation(X, v);
       const Result exact = oracle(X_e, v_e);
       // The position is a lever arm of the angular velocity in a motion, and of the force in a wrench.
       // Below `least`, a rotated vector loses digits before it is multiplied by p.
-      const Real& least = oracles::least_denominator<S, Real>();
+      const Real least(recorder.scalar().least_denominator());
       const Real linear = norm(head3(v_e)), angular = norm(tail3(v_e)), p = norm(X_e.p);
-      record_sum(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
-                 exact.resolved, of_force ? linear : Real(linear + p * (angular + least)));
-      record_sum(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
-                 exact.resolved, of_force ? Real(angular + p * (linear + least)) : angular);
+      record_sum(recorder, blocks[0], Vec<double, 3>(computed.head<3>()), head3(exact.value), exact.resolved,
+                 of_force ? linear : Real(linear + p * (angular + least)));
+      record_sum(recorder, blocks[1], Vec<double, 3>(computed.tail<3>()), tail3(exact.value), exact.resolved,
+                 of_force ? Real(angular + p * (linear + least)) : angular);
     };
     act(o[op::act_motion], linear_angular(op::act_motion), V, V_e, oracles::act_motion, false);
     act(o[op::act_inverse_motion], linear_angular(op::act_inverse_motion), V, V_e,
@@ -119,20 +115,19 @@ class PowerPairing final : public Law<PowerPairing, S> {
     act(o[op::act_inverse_force], linear_angular(op::act_inverse_force), F, F_e, oracles::act_inverse_force,
         true);
 
-    const auto cross = [&](Vec<S, 6> (*operation)(const Vec<S, 6>&, const Vec<S, 6>&),
-                           const TwoOutputs& blocks, const Vec<S, 6>& v, const Vector6& v_e,
-                           Result (*oracle)(const Vector6&, const Vector6&),
+    const auto cross = [&](const auto& operation, const TwoOutputs& blocks, const Vec<double, 6>& v,
+                           const Vector6& v_e, Result (*oracle)(const Vector6&, const Vector6&),
                            Vector6 (*formula)(const Vector6&, const Vector6&)) {
       if (!operation) return;
-      const Vec<S, 6> computed = operation(V, v);
+      const Vec<double, 6> computed = operation(V, v);
       const Result exact = oracle(V_e, v_e);
       const auto of = [formula](const Numbers& x) {
         return to_list(formula(from_list<6>(x), from_list<6>(x, 6)));
       };
       const auto x = [&] { return to_list(V_e, v_e); };
-      record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
+      record_vector(recorder, blocks[0], Vec<double, 3>(computed.head<3>()), head3(exact.value),
                     exact.resolved, of, x, 2);
-      record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
+      record_vector(recorder, blocks[1], Vec<double, 3>(computed.tail<3>()), tail3(exact.value),
                     exact.resolved, of, x, 2, 3);
     };
     cross(o[op::cross_motion], linear_angular(op::cross_motion), W, W_e, oracles::cross_motion,
@@ -141,14 +136,14 @@ class PowerPairing final : public Law<PowerPairing, S> {
           formulas::cross_force);
 
     if (o[op::act_motion] && o[op::act_force]) {
-      const Vec<S, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
+      const Vec<double, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
       measure_power(recorder, X_e, V_e, F_e, V_A, F_A);
     }
     if (o[op::rotate_point]) {
       const auto Q_e = oracles::exact_vector<4, Real>(Q);
       const auto exact = oracles::rotate_point(Q_e, X_e.p);
       record_vector(
-          recorder, op::rotate_point[block::point], Vec<S, 3>(o[op::rotate_point](Q, X.p)), exact.value,
+          recorder, op::rotate_point[block::point], Vec<double, 3>(o[op::rotate_point](Q, X.p)), exact.value,
           exact.resolved,
           [](const Numbers& x) { return to_list(oracles::rotate(from_list<4>(x), from_list<3>(x, 4))); },
           [&] { return to_list(Q_e, X_e.p); }, 1);
@@ -156,12 +151,10 @@ class PowerPairing final : public Law<PowerPairing, S> {
   }
 
  private:
-  static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
-
   template <class Real>
   static void measure_power(Recorder& recorder, const oracles::PoseOf<Real>& X,
                             const oracles::Vec6<Real>& V_B, const oracles::Vec6<Real>& F_B,
-                            const Vec<S, 6>& V_A, const Vec<S, 6>& F_A) {
+                            const Vec<double, 6>& V_A, const Vec<double, 6>& F_A) {
     constexpr Output output = op::power[block::power];
     if (!oracles::all_finite(V_A) || !oracles::all_finite(F_A))
       return recorder.outcome(output, 0, Outcome::not_finite);
@@ -169,11 +162,12 @@ class PowerPairing final : public Law<PowerPairing, S> {
     const auto B = oracles::power(F_B, V_B);
     if (!A.resolved || !B.resolved) return recorder.outcome(output, 0, Outcome::unresolved);
     // A smaller number is rounded to eps times the smallest normal number.
-    const Real normal = oracles::two_to<Real>(std::numeric_limits<S>::min_exponent - 1);
+    const Real normal = oracles::two_to<Real>(recorder.scalar().min_exponent - 1);
     const Real p = norm(X.p), u = norm(head3(V_B)) + normal, w = norm(tail3(V_B)) + normal,
                f = norm(head3(F_B)) + normal, n = norm(tail3(F_B)) + normal;
     const Real scale = f * (u + p * w) + (n + p * f) * w;
-    recorder.record(output, 0, oracles::scalar_error<S>(A.value, B.value, scale), [] { return 1.0; });
+    recorder.record(output, 0, oracles::scalar_error(recorder.scalar(), A.value, B.value, scale),
+                    [] { return 1.0; });
   }
 };
 

@@ -6,8 +6,11 @@
 // Every case must record each output that the law measures of a subject (`measures`), with an error or with
 // an outcome. An output that nothing was recorded for counts as unmeasured, and its series is incomplete.
 //
-// A new invariant needs one new file: derive a template P from Law<P, S> and register it with
-// RegisteredProperty.
+// A law does not depend on the type of the subject's scalar: the numbers of a case are doubles, which hold those of a
+// float exactly, and scalar() says what they are rounded to. Only its generator is a template, so that the same random
+// bits give the same bits of the scalar.
+//
+// A new invariant needs one new file: derive a class P from Law<P> and register it with RegisteredProperty.
 
 #include <cmath>
 #include <functional>
@@ -16,63 +19,14 @@
 #include <generators/random_bits.hpp>
 #include <memory>
 #include <oracles/number.hpp>
+#include <oracles/scalar.hpp>
 #include <string>
 #include <string_view>
+#include <subjects/outcome.hpp>
 #include <subjects/subject.hpp>
 #include <vector>
 
 namespace liecheck::properties {
-
-/// A law records ill_posed if the input does not determine the result, or if its equation does not hold for
-/// the input. Only the judge records unmeasured.
-enum class Outcome : std::uint8_t {
-  measured,
-  not_finite,
-  wrong_branch,
-  unresolved,
-  refused,
-  ill_posed,
-  unmeasured,
-  not_repeatable,       ///< another call with the same arguments gave another result
-  argument_written,     ///< the call changed one of its arguments
-  output_unwritten,     ///< the call left a number of its result unwritten
-  outside_domain,       ///< the subject does not promise a result for the input: nothing was called
-  crashed,              ///< the subject's process crashed, did not answer in time, or broke the protocol
-  environment_changed,  ///< the call changed the rounding mode or the treatment of subnormals
-  printed               ///< the call wrote to standard output, which belongs to the answers
-};
-/// For messages, in the order of Outcome.
-inline constexpr const char* outcome_words[] = {"",
-                                                "NaN or Inf",
-                                                "wrong branch",
-                                                "unresolved",
-                                                "refused",
-                                                "ill-posed",
-                                                "unmeasured",
-                                                "not repeatable",
-                                                "argument written",
-                                                "output unwritten",
-                                                "outside the domain",
-                                                "crashed",
-                                                "environment changed",
-                                                "printed"};
-static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::printed) + 1);
-/// Whether the outcome leaves the verdict on a case open, so that the campaign is incomplete.
-constexpr bool leaves_open(Outcome o) {
-  return o == Outcome::unresolved || o == Outcome::unmeasured;
-}
-/// Whether the outcome concerns the call, not its result.
-constexpr bool is_misuse(Outcome o) {
-  return o == Outcome::not_repeatable || o == Outcome::argument_written || o == Outcome::output_unwritten ||
-         o == Outcome::crashed || o == Outcome::environment_changed || o == Outcome::printed;
-}
-/// A call without a result, which `outcome` describes.
-struct CallFailed : std::runtime_error {
-  CallFailed(const std::string& reason, std::string_view its_operation, Outcome its_outcome)
-      : std::runtime_error(reason), operation(its_operation), outcome(its_outcome) {}
-  std::string_view operation;
-  Outcome outcome;
-};
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {
@@ -107,13 +61,19 @@ class Kappa {
 /// Receives the measurements of an invariant. `kappa` is called only if the budget's rule needs it.
 class Recorder {
  public:
+  explicit Recorder(const oracles::Scalar& scalar) : scalar_(scalar) {}
   virtual ~Recorder() = default;
+  /// The scalar of the subject, in whose eps errors are recorded.
+  const oracles::Scalar& scalar() const { return scalar_; }
   virtual void record(const Output& output, std::size_t band, double error_eps, Kappa kappa = nullptr) = 0;
   virtual void outcome(const Output& output, std::size_t band, Outcome outcome) = 0;
   /// The error or excess in eps up to which the output passes in the band; infinity if nothing is judged.
   virtual double limit(const Output&, std::size_t /*band*/) const {
     return std::numeric_limits<double>::infinity();
   }
+
+ private:
+  const oracles::Scalar& scalar_;
 };
 
 /// The robot that configuration properties run on.
@@ -151,22 +111,26 @@ struct Statement {
   Few<Formed, 3> formed = {};
 };
 
-template <class S>
+/// A law on subjects of one scalar.
 class Property {
  public:
   /// The numbers in which measure_fast measures, by tier.
-  using Tiers = typename oracles::BallTiers<S>::type;
+  using Tiers = oracles::BallTiers;
+  static std::size_t first_tier(const oracles::Scalar& scalar, bool needs_kappa) {
+    return scalar.is_float() && !needs_kappa ? 0 : 1;  // differences for kappa need the last tier
+  }
   virtual ~Property() = default;
+  const oracles::Scalar& scalar() const { return *scalar_; }
   virtual const Statement& statement() const = 0;
   std::string name() const { return statement().name; }
   std::vector<Output> outputs() const { return {statement().outputs.begin(), statement().outputs.end()}; }
   virtual std::vector<Field> fields() const;  ///< by default, those of the statement
   /// Whether the subject offers every operation that the output needs.
-  bool offers(const Subject<S>& subject, const Output& output) const;
+  bool offers(const Subject& subject, const Output& output) const;
   /// Whether the subject offers at least one output of the law.
-  bool offered(const Subject<S>& subject) const;
+  bool offered(const Subject& subject) const;
   /// Whether each case must record this output of the subject. May be called only after prepare.
-  bool measures(const Subject<S>& subject, const Output& output) const {
+  bool measures(const Subject& subject, const Output& output) const {
     return offers(subject, output) && exists(output);
   }
   /// Whether an input of so many numbers is one of the law. By default: as many as its fields have.
@@ -174,54 +138,67 @@ class Property {
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
-  /// Generates a valid input from random bits alone.
-  virtual std::vector<S> generate(Source& source) const = 0;
+  /// Generates a valid input, numbers of the scalar, from random bits alone.
+  virtual std::vector<double> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.
-  virtual bool valid(const std::vector<S>& input) const;
+  virtual bool valid(const std::vector<double>& input) const;
   /// Simpler inputs that differ in more than one field. Some of them may be invalid.
-  virtual std::vector<std::vector<S>> simpler(const std::vector<S>&) const { return {}; }
+  virtual std::vector<std::vector<double>> simpler(const std::vector<double>&) const { return {}; }
   /// A C++ program that computes the output with liecheck's own functions. If it is empty,
   /// failures/program.cpp writes the program from the fields and the operation.
-  virtual std::string program(const Output&, const std::vector<S>&) const { return ""; }
+  virtual std::string program(const Output&, const std::vector<double>&) const { return ""; }
   /// Measures with the oracles at 50 and 100 digits.
-  virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
+  virtual void measure(const Subject& subject, const std::vector<double>& input,
+                       Recorder& recorder) const = 0;
   /// Measures with the oracles in ball arithmetic; tier 0 is the cheapest. Returns false if there is no such
   /// tier. Throws oracles::Undecided if an error bound is too wide; the recorded errors are then void.
-  virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&, std::size_t /*tier*/) const {
+  virtual bool measure_fast(const Subject&, const std::vector<double>&, Recorder&,
+                            std::size_t /*tier*/) const {
     return false;
   }
 
  protected:
   /// Whether the subject offers the operation. By default: whether its slot is filled.
-  virtual bool has(const Subject<S>& subject, const Operation& operation) const {
+  virtual bool has(const Subject& subject, const Operation& operation) const {
     return subject.operations.has(operation);
   }
   /// Whether the robot has what the output belongs to, such as a continuous joint. Called after prepare.
   virtual bool exists(const Output&) const { return true; }
+
+ private:
+  friend std::vector<std::unique_ptr<Property>> make_properties(const oracles::Scalar& scalar);
+  const oracles::Scalar* scalar_ = &oracles::scalar_of<double>;
 };
 
-// property.cpp instantiates these.
-extern template class Property<float>;
-extern template class Property<double>;
-extern template class Property<float128>;
-
-/// A law that is written once for every number type of the oracles. P<S> has
+/// What the laws share that have their own statement and generator. P has
 ///   static constexpr Statement stated;
-///   template <class Real> void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
-template <template <class> class P, class S, class Base = Property<S>>
-class Law : public Base {
+///   template <class S> std::vector<S> draw(Source&) const;  // a valid input in the scalar S
+template <class P, class Base>
+class Stated : public Base {
+ public:
+  const Statement& statement() const override { return P::stated; }
+  std::vector<double> generate(Source& source) const override {
+    return this->scalar().with([&]<class S>() {
+      return oracles::as_doubles<S>(static_cast<const P*>(this)->template draw<S>(source));
+    });
+  }
+};
+
+/// A law that is written once for every number type of the oracles. P has what Stated needs, and
+///   template <class Real> void in(const Subject&, const std::vector<double>&, Recorder&) const.
+template <class P, class Base = Property>
+class Law : public Stated<P, Base> {
  public:
   static constexpr bool needs_kappa = false;  ///< a law may set this to true
-  const Statement& statement() const override { return P<S>::stated; }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
-    static_cast<const P<S>*>(this)->template in<oracles::Real>(subject, input, recorder);
+  void measure(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const override {
+    static_cast<const P*>(this)->template in<oracles::Real>(subject, input, recorder);
   }
-  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
+  bool measure_fast(const Subject& subject, const std::vector<double>& input, Recorder& recorder,
                     std::size_t tier) const override {
     using Tiers = typename Base::Tiers;
-    tier += P<S>::needs_kappa && std::tuple_size_v<Tiers> > 1;  // differences for kappa need the last tier
+    tier += Base::first_tier(this->scalar(), P::needs_kappa);
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(
+      return ((tier == I && (static_cast<const P*>(this)->template in<std::tuple_element_t<I, Tiers>>(
                                  subject, input, recorder),
                              true)) ||
               ...);
@@ -230,65 +207,55 @@ class Law : public Base {
   }
 };
 
-/// A law that measures with the oracles at 50 and 100 digits only. P<S> has the `stated` of a Law, and
-///   void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
-template <template <class> class P, class S>
-class SlowLaw : public Property<S> {
+/// A law that measures with the oracles at 50 and 100 digits only. P has what Stated needs, and
+///   void in(const Subject&, const std::vector<double>&, Recorder&) const.
+template <class P>
+class SlowLaw : public Stated<P, Property> {
  public:
-  const Statement& statement() const override { return P<S>::stated; }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
-    static_cast<const P<S>*>(this)->in(subject, input, recorder);
+  void measure(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const override {
+    static_cast<const P*>(this)->in(subject, input, recorder);
   }
 };
 
-/// Fresh instances of every property, alphabetical by name.
-template <class S>
-std::vector<std::unique_ptr<Property<S>>> make_properties();
+/// Fresh instances of every property for a scalar, alphabetical by name.
+std::vector<std::unique_ptr<Property>> make_properties(const oracles::Scalar& scalar);
 
 /// Functions that make the registered properties, in any order.
-template <class S>
-inline constinit std::vector<std::unique_ptr<Property<S>> (*)()> property_makers;
+inline constinit std::vector<std::unique_ptr<Property> (*)()> property_makers;
 
-/// A static object of this type in an invariant's file registers the invariant for every scalar.
-template <template <class> class P>
+/// A static object of this type in an invariant's file registers the invariant.
+template <class P>
 struct RegisteredProperty {
   RegisteredProperty() {
-    property_makers<float>.push_back(&make<float>);
-    property_makers<double>.push_back(&make<double>);
-    property_makers<float128>.push_back(&make<float128>);
-  }
-  template <class S>
-  static std::unique_ptr<Property<S>> make() {
-    return std::make_unique<P<S>>();
+    property_makers.push_back([]() -> std::unique_ptr<Property> { return std::make_unique<P>(); });
   }
 };
 
 /// Reads consecutive groups of an input.
-template <class S>
 class Reader {
  public:
-  explicit Reader(const std::vector<S>& input) : input_(input) {}
+  explicit Reader(const std::vector<double>& input) : input_(input) {}
   template <int N>
-  Vec<S, N> take() {
-    Vec<S, N> v;
+  Vec<double, N> take() {
+    Vec<double, N> v;
     for (int i = 0; i < N; ++i) v[i] = input_.at(position_++);
     return v;
   }
-  Mat<S, 3> take_matrix() {  // row by row
-    Mat<S, 3> m;
+  Mat<double, 3> take_matrix() {  // row by row
+    Mat<double, 3> m;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) m(i, j) = input_.at(position_++);
     return m;
   }
-  Pose<S> take_pose() { return {take_matrix(), take<3>()}; }  // R, p
-  VecX<S> take_dynamic(int n) {
-    VecX<S> v(n);
+  Pose<double> take_pose() { return {take_matrix(), take<3>()}; }  // R, p
+  VecX<double> take_dynamic(int n) {
+    VecX<double> v(n);
     for (int i = 0; i < n; ++i) v[i] = input_.at(position_++);
     return v;
   }
 
  private:
-  const std::vector<S>& input_;
+  const std::vector<double>& input_;
   std::size_t position_ = 0;
 };
 

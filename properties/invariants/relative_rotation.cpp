@@ -8,8 +8,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class RelativeRotation final : public SlowLaw<RelativeRotation, S> {
+class RelativeRotation final : public SlowLaw<RelativeRotation> {
  public:
   static constexpr Statement stated{
       .name = "relative_rotation",
@@ -23,32 +22,34 @@ class RelativeRotation final : public SlowLaw<RelativeRotation, S> {
                  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
                  {"t", Kind::fraction, 1, "1"}}};
 
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto Q0 = unit_quaternion<S>(source), Q1 = quaternion_near<S>(source, Q0);
     std::vector<S> x = Joined<S>{Q0, Q1};
-    x.push_back(fraction(source));
+    x.push_back(fraction<S>(source));
     return x;
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 && norm_defect_at(input, 4) <= 8 &&
-           input[8] >= S(0) && input[8] <= S(1);
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
+           norm_defect_at(scalar(), input, 4) <= 8 && input[8] >= 0 && input[8] <= 1;
   }
 
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 4> Q0 = read.template take<4>(), Q1 = read.template take<4>();
-    const S t = read.template take<1>()[0];
+    Reader read(input);
+    const Vec<double, 4> Q0 = read.take<4>(), Q1 = read.take<4>();
+    const double t = read.take<1>()[0];
     const auto a = oracles::exact_vector<4>(Q0), b = oracles::exact_vector<4>(Q1);
     const oracles::RelativeAngle exact = oracles::relative_angle(a, b);
-    const std::size_t band =
-        exact.pi_minus_theta < Real(1e-40) ? Bands::of<S>().at_pi() : Bands::of<S>().classify(exact.theta);
+    const std::size_t band = exact.pi_minus_theta < Real(1e-40) ? Bands::of(r.scalar()).at_pi()
+                                                                : Bands::of(r.scalar()).classify(exact.theta);
     if (o[op::relative_angle]) {
       constexpr Output angle = op::relative_angle[block::angle];
-      const Vec<S, 1> computed(o[op::relative_angle](Q0, Q1));
+      const Vec<double, 1> computed(o[op::relative_angle](Q0, Q1));
       judged_value(r, {angle}, band, computed, exact.resolved, [&] {
-        r.record(angle, band,
-                 oracles::scalar_error<S>(oracles::exact<Real>(computed[0]), exact.theta, exact.terms));
+        r.record(
+            angle, band,
+            oracles::scalar_error(r.scalar(), oracles::exact<Real>(computed[0]), exact.theta, exact.terms));
       });
     }
     if (o[op::slerp])
@@ -57,6 +58,7 @@ class RelativeRotation final : public SlowLaw<RelativeRotation, S> {
 
  private:
   /// 0, 1, 1/2, near both ends, or any.
+  template <class S>
   static S fraction(Source& source) {
     const S small = binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
     switch (source.below(10)) {
@@ -76,20 +78,20 @@ class RelativeRotation final : public SlowLaw<RelativeRotation, S> {
         return source.unit<S>();
     }
   }
-  static void record_slerp(Recorder& r, std::size_t band, const Vec<S, 4>& computed,
+  static void record_slerp(Recorder& r, std::size_t band, const Vec<double, 4>& computed,
                            const oracles::Slerp& exact) {
     constexpr Output rotation = op::slerp[block::rotation], defect = op::slerp[block::norm_defect];
     judged_value(r, {rotation, defect}, band, computed, exact.resolved, [&] {
       const auto Q = oracles::exact_vector<4>(computed);
-      double error = oracles::rotation_error<S>(Q, exact.Q);
+      double error = oracles::rotation_error(r.scalar(), Q, exact.Q);
       // Within 4 eps of pi, the rounding of Q0* Q1 may choose the other arc.
-      const double other = oracles::rotation_error<S>(Q, exact.other);
-      if (exact.pi_minus_theta <= Real(4) * oracles::epsilon<S>()) error = std::min(error, other);
+      const double other = oracles::rotation_error(r.scalar(), Q, exact.other);
+      if (exact.pi_minus_theta <= Real(4 * r.scalar().epsilon)) error = std::min(error, other);
       if (error > 1e3 && other < 64)
         r.outcome(rotation, band, Outcome::wrong_branch);
       else
         r.record(rotation, band, error);
-      r.record(defect, band, oracles::norm_defect<S>(Q));
+      r.record(defect, band, oracles::norm_defect(r.scalar(), Q));
     });
   }
 };

@@ -18,8 +18,7 @@ struct Segment {
 };
 
 /// What the laws on the configuration vector of a robot share.
-template <class S>
-class RobotStates : public Property<S> {
+class RobotStates : public Property {
  public:
   std::vector<Field> fields() const override {
     std::vector<Field> all;
@@ -63,6 +62,7 @@ class RobotStates : public Property<S> {
   /// What a law adds to the numbers of q0, q1 and delta.
   virtual std::vector<Field> more_fields() const { return {}; }
   /// q0, q1 and delta. Positions and increments are sometimes as large as 1e7.
+  template <class S>
   std::vector<S> states(Source& source) const {
     VecX<S> q0(nq_), q1(nq_), d(nv_);
     const auto reach = [&] { return source.chance(1, 4) ? 24 : 8; };
@@ -75,8 +75,8 @@ class RobotStates : public Property<S> {
         const auto rho = vector3<S>(source, reach());
         d.segment(s.v, 6) << rho, rotation_vector<S>(source, AngleRange::unbounded);
       } else if (s.nq == 2) {
-        q0.template segment<2>(s.q) = circle(source);
-        q1.template segment<2>(s.q) = circle(source);
+        q0.template segment<2>(s.q) = circle<S>(source);
+        q1.template segment<2>(s.q) = circle<S>(source);
         d[s.v] = angle<S>(source, AngleRange::unbounded) * (source.chance(1, 2) ? S(1) : S(-1));
       } else {
         for (S* x : {&q0[s.q], &q1[s.q], &d[s.v]}) *x = magnitude<S>(source, reach());
@@ -85,24 +85,25 @@ class RobotStates : public Property<S> {
     return Joined<S>{q0, q1, d};
   }
   /// Whether the numbers are finite, and quaternions and (cos, sin) are unit within the contract.
-  bool valid_states(const std::vector<S>& x) const {
-    if (!Property<S>::valid(x)) return false;
+  bool valid_states(const std::vector<double>& x) const {
+    if (!Property::valid(x)) return false;
     for (const Segment& s : segments_)
       for (int at : {s.q, nq_ + s.q}) {
         const auto i = static_cast<std::size_t>(at);
-        if (s.nq == 7 && norm_defect_at<S>(x, i + 3) > 8) return false;
-        if (s.nq == 2 &&
-            oracles::norm_defect<S>(oracles::Quaternion<>{
-                {oracles::exact<Real>(x[i]), oracles::exact<Real>(x[i + 1]), Real(0), Real(0)}}) > 8)
+        if (s.nq == 7 && norm_defect_at(scalar(), x, i + 3) > 8) return false;
+        if (s.nq == 2 && oracles::norm_defect(scalar(), oracles::Quaternion<>{{oracles::exact<Real>(x[i]),
+                                                                               oracles::exact<Real>(x[i + 1]),
+                                                                               Real(0), Real(0)}}) > 8)
           return false;
       }
     return true;
   }
-  bool has(const Subject<S>& s, const Operation&) const override { return s.operations.robot; }
+  bool has(const Subject& s, const Operation&) const override { return s.operations.robot != nullptr; }
   bool has_joint(int nq) const {
     return std::any_of(segments_.begin(), segments_.end(), [nq](const Segment& s) { return s.nq == nq; });
   }
   /// A random (cos, sin), often near an axis, with norm 1 up to rounding.
+  template <class S>
   static Vec<S, 2> circle(Source& source) {
     using std::sqrt;
     const S s = source.chance(1, 2) ? source.symmetric<S>()
@@ -115,7 +116,7 @@ class RobotStates : public Property<S> {
 
   /// The subject's operations on the robot. The first case reads the robot, so that no reader runs of a
   /// subject that is not measured. A reader that throws is not called again: every case throws its exception.
-  const RobotOperations<S>& bound(const Subject<S>& subject) const {
+  const RobotOperations<double>& bound(const Subject& subject) const {
     const std::lock_guard lock(mutex_);
     Bound& b = bound_[&subject];
     if (b.error) std::rethrow_exception(b.error);
@@ -133,13 +134,13 @@ class RobotStates : public Property<S> {
 
  private:
   struct Bound {
-    std::optional<RobotOperations<S>> operations;
+    std::optional<RobotOperations<double>> operations;
     std::exception_ptr error;
   };
   std::string urdf_;
   bool fixed_ = false;
   mutable std::mutex mutex_;
-  mutable std::map<const Subject<S>*, Bound> bound_;
+  mutable std::map<const Subject*, Bound> bound_;
 };
 
 }  // namespace liecheck::properties

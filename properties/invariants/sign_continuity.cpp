@@ -8,8 +8,7 @@ namespace {
 
 constexpr int steps = 8;
 
-template <class S>
-class SignContinuity final : public Law<SignContinuity, S> {
+class SignContinuity final : public Law<SignContinuity> {
  public:
   static constexpr Statement stated{
       .name = "sign_continuity",
@@ -21,24 +20,24 @@ class SignContinuity final : public Law<SignContinuity, S> {
                  {"Q0", Kind::quaternion, 4, "1"},
                  {"rho", Kind::vector, 3, "m"},
                  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     return Joined<S>{vector3<S>(source, 8), unit_quaternion<S>(source), vector3<S>(source, 8),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<S>& x) const override {
-    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8;
+  bool valid(const std::vector<double>& x) const override {
+    return Property::valid(x) && norm_defect_at(scalar(), x, 3) <= 8;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
-    Reader<S> read(input);
-    Vec<S, 7> q = read.template take<7>();
-    const Vec<S, 6> d = read.template take<6>();
-    const std::size_t band = band_of_angle<S>(tail3(exact_vector<6, Real>(d)));
+    Reader read(input);
+    Vec<double, 7> q = read.take<7>();
+    const Vec<double, 6> d = read.take<6>();
+    const std::size_t band = band_of_angle(r.scalar(), tail3(exact_vector<6, Real>(d)));
     for (int k = 0; k < steps; ++k) {
-      const Vec<S, 7> next = subject.operations[op::integrate](q, d);
-      record_sign<Real, S>(r, op::integrate[block::sign], band, q.template tail<4>(),
-                           next.template tail<4>());
+      const Vec<double, 7> next = subject.operations[op::integrate](q, d);
+      record_sign<Real>(r, op::integrate[block::sign], band, q.tail<4>(), next.tail<4>());
       if (!all_finite(next)) return;
       q = next;
     }

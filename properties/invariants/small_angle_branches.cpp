@@ -12,8 +12,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
+class SmallAngleBranches final : public Law<SmallAngleBranches> {
  public:
   static constexpr Statement stated{
       .name = "small_angle_branches",
@@ -26,7 +25,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       .fields = {{"rho", Kind::vector, 3, "m"},
                  {"direction", Kind::opaque, 3, "1"},
                  {"theta", Kind::opaque, 2, "rad"}}};
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     std::vector<S> x = Joined<S>{vector3<S>(source, 8), direction<S>(source)};
     const auto& cutoffs = common_cutoffs<S>();
     const S t = step_ulps(cutoffs[source.below(cutoffs.size() - 1)], source.between(-4, 4));
@@ -35,22 +35,23 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     return x;
   }
   template <class Real>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
-    Reader<S> read(input);
-    const Vec<S, 3> rho = read.template take<3>(), axis = read.template take<3>();
-    const Vec<S, 2> theta = read.template take<2>();
-    Vec<S, 6> xi[2];
+    Reader read(input);
+    const Vec<double, 3> rho = read.take<3>(), axis = read.take<3>();
+    const Vec<double, 2> theta = read.take<2>();
+    Vec<double, 6> xi[2];
     oracles::Vec<6, Real> x[2];
     for (int k : {0, 1}) {
-      xi[k] << rho, S(theta[k]) * axis;
+      xi[k] << rho, theta[k] * axis;
+      for (double& number : xi[k]) number = r.scalar().rounded(number);
       x[k] = exact_vector<6, Real>(xi[k]);
     }
-    const Bands& bands = Bands::of<S>();
-    const std::size_t band = band_of_angle<S>(tail3(x[0]));
+    const Bands& bands = Bands::of(r.scalar());
+    const std::size_t band = band_of_angle(r.scalar(), tail3(x[0]));
     // Beyond pi, exp_oracle and jacobian_oracle measure these operations.
-    const bool beyond = bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
+    const bool beyond = bands[band_of_angle(r.scalar(), tail3(x[1]))].region == Region::beyond_pi ||
                         bands[band].region == Region::beyond_pi;
 
     // The Jacobians of SO(3) are blocks of those of SE(3). In ball arithmetic one evaluation gives both.
@@ -63,8 +64,9 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       if (!left_inverse[k]) left_inverse[k] = left_jacobian_se3_inverse(x[k]);
       return *left_inverse[k];
     };
-    const auto jump = [&](bool offered, const Output& output, const auto& computed, const auto& exact) {
-      if (!offered) return;
+    const auto jump = [&](const auto& operation, const Output& output, const auto& computed,
+                          const auto& exact) {
+      if (!operation) return;
       if (beyond) return r.outcome(output, band, Outcome::ill_posed);
       const auto y0 = computed(0), y1 = computed(1);
       if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
@@ -72,18 +74,18 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       const auto e0 = exact(0), e1 = exact(1);
       record_jump<Real>(r, output, band, {y0.data(), y1.data()}, {e0.x.data(), e1.x.data()}, e0.x.size());
     };
-    const auto rows = [](const Mat<S, 3>& m) { return Vec<S, 9>(m.transpose().reshaped()); };
-    const auto phi = [&](int k) { return Vec<S, 3>(xi[k].template tail<3>()); };
-    const auto coupling = [&](const Mat<S, 6>& J) { return rows(J.template topRightCorner<3, 3>()); };
+    const auto rows = [](const Mat<double, 3>& m) { return Vec<double, 9>(m.transpose().reshaped()); };
+    const auto phi = [&](int k) { return Vec<double, 3>(xi[k].tail<3>()); };
+    const auto coupling = [&](const Mat<double, 6>& J) { return rows(J.topRightCorner<3, 3>()); };
     jump(
         o[op::exp3_quaternion], op::exp3_quaternion[block::jump],
         [&](int k) {  // up to theta = pi, the exact Q = (v, w) has v . phi + w > 0
-          const Vec<S, 4> Q = o[op::exp3_quaternion](phi(k));
-          return Q.template head<3>().dot(phi(k)) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
+          const Vec<double, 4> Q = o[op::exp3_quaternion](phi(k));
+          return Q.head<3>().dot(phi(k)) + Q[3] < 0 ? Vec<double, 4>(-Q) : Q;
         },
         [&](int k) { return exp_so3(tail3(x[k])).Q; });
     jump(
-        o[op::exp6], op::exp6[block::jump], [&](int k) { return Vec<S, 3>(o[op::exp6](xi[k]).p); },
+        o[op::exp6], op::exp6[block::jump], [&](int k) { return Vec<double, 3>(o[op::exp6](xi[k]).p); },
         [&](int k) { return exp_se3(x[k]).p; });
     jump(
         o[op::left_jacobian3], op::left_jacobian3[block::jump],
@@ -109,8 +111,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   /// Records the difference of the errors at both inputs, in eps of the norm of the block.
   template <class Real>
   static void record_jump(Recorder& r, const Output& output, std::size_t band,
-                          const std::array<const S*, 2>& computed, const std::array<const Real*, 2>& exact,
-                          std::size_t n) {
+                          const std::array<const double*, 2>& computed,
+                          const std::array<const Real*, 2>& exact, std::size_t n) {
     const auto error = [&](std::size_t k, std::size_t i) -> Real {
       return oracles::exact<Real>(computed[k][i]) - exact[k][i];
     };
@@ -120,8 +122,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       squared += difference * difference;
       size += exact[0][i] * exact[0][i];
     }
-    size = oracles::larger(Real(sqrt(size)), oracles::least_denominator<S, Real>());
-    r.record(output, band, oracles::in_eps<S>(Real(sqrt(squared) / size)));
+    size = oracles::larger(Real(sqrt(size)), Real(r.scalar().least_denominator()));
+    r.record(output, band, oracles::in_eps(r.scalar(), Real(sqrt(squared) / size)));
   }
 };
 

@@ -18,8 +18,7 @@ struct TreeCase {
   std::shared_ptr<const UrdfModel> urdf;  ///< where the tree is from, or null
 
   /// Reads parents, kinds and other integers from `structure`, and all other numbers from `x`.
-  template <class S>
-  TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
+  TreeCase(TreeLayout at, const std::vector<double>& structure, const std::vector<T>& x) {
     using namespace oracles;
     const auto whole = [&](int i) { return static_cast<int>(structure[static_cast<std::size_t>(i)]); };
     const auto number = [&](int i) -> const T& { return x[static_cast<std::size_t>(i)]; };
@@ -74,10 +73,9 @@ template <class S>
 VecX<S> eigen(const std::vector<S>& x) {
   return Eigen::Map<const VecX<S>>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
-template <class S>
-Vec<S, 6> eigen(const std::vector<oracles::WrenchOf<S>>& wrench) {
-  if (wrench.empty()) return Vec<S, 6>::Zero();
-  return Eigen::Map<const Vec<S, 6>>(wrench[0].F.x.data());
+inline Vec<double, 6> eigen(const std::vector<oracles::WrenchOf<double>>& wrench) {
+  if (wrench.empty()) return Vec<double, 6>::Zero();
+  return Eigen::Map<const Vec<double, 6>>(wrench[0].F.x.data());
 }
 
 }  // namespace liecheck::properties

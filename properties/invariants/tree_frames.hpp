@@ -34,10 +34,10 @@ struct FrameSizes {
   double position, w, u, al, ac;
   template <class Case>
   explicit FrameSizes(const Case& c) {
-    oracles::TreeOf<double> tree = c.rough.tree;
+    oracles::TreeOf<double> tree = c.stored.tree;
     tree.gravity = {{0, 0, 0}};
-    const auto j = oracles::TreeSizes<double>(tree, c.rough.q, c.rough.v, c.rough.a)
-                       .joints[static_cast<std::size_t>(c.rough.frame_joint)];
+    const auto j = oracles::TreeSizes<double>(tree, c.stored.q, c.stored.v, c.stored.a)
+                       .joints[static_cast<std::size_t>(c.stored.frame_joint)];
     const double r = approximate(norm(c.exact.frame_p));
     position = j.position + r, w = j.w, u = j.u + w * r, al = j.al, ac = j.ac + al * r;
   }

@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
+class TreeInvariance final : public TreeLaw<TreeInvariance> {
  public:
   static constexpr Output world = op::rnea_of_a_moved_world[block::torque],
                           order = op::rnea_of_reordered_joints[block::torque],
@@ -29,23 +28,23 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
                  {&op::rnea_of_split_bodies, {&op::tree_rnea}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    const Tree<S> tree = described(c.stored);
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    const Tree<double> tree = described(c.stored);
     const auto moving = c.dynamics(c.exact.v, c.exact.a);
     const std::vector<double> w = inverses(mass_roots(moving.mass(), c.nv()));
     const std::vector<T> exact = moving.torque(c.exact.wrench);
-    const double terms = weighted_size(c.sizes(c.rough.v, c.rough.a, true).tau, w);
+    const double terms = weighted_size(c.sizes(c.stored.v, c.stored.a, true).tau, w);
     const bool resolved = c.resolved();
-    const auto record = [&](const Output& output, const VecX<S>& tau) {
+    const auto record = [&](const Output& output, const VecX<double>& tau) {
       c.record(r, output, tau, exact, w, terms, resolved);
     };
-    const TreeOperations<S> moved = subject.tree(in_a_moved_world(tree));
+    const TreeOperations<double> moved = subject.tree(in_a_moved_world(tree));
     if (!moved[op::tree_rnea]) return;
     record(world, moved[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
     record(parts, subject.tree(in_parts(tree))[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
     if (has_mimic(tree)) return r.outcome(order, 0, Outcome::ill_posed);
     const std::vector<int> from = reordered(tree);
-    Tree<S> other = tree;
+    Tree<double> other = tree;
     std::vector<int> place(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) place[at(from[i])] = static_cast<int>(i);
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -53,8 +52,8 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
       if (int& p = other.joints[i].parent; p >= 0) p = place[at(p)];
     }
     other.index(), other.frame_joint = 0;
-    const auto shuffled = [&](const VecX<S>& x, bool q, bool back) {
-      VecX<S> y(x.size());
+    const auto shuffled = [&](const VecX<double>& x, bool q, bool back) {
+      VecX<double> y(x.size());
       for (std::size_t i = 0; i < from.size(); ++i) {
         const auto& j = other.joints[i];
         const int n = q ? configuration_size(j.kind) : velocity_size(j.kind);
@@ -72,7 +71,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
 
  private:
   /// The branches of a tree with a mimic joint cannot be reordered: a mimic must follow its primary joint.
-  static bool has_mimic(const oracles::TreeOf<S>& tree) {
+  static bool has_mimic(const oracles::TreeOf<double>& tree) {
     return std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; });
   }
   bool exists(const Output& output) const override {
@@ -82,25 +81,25 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   /// Rotates the world frame by pi about x and moves it by 100 m along x. This rounds only the positions of
   /// joints on the world, on which no torque depends.
-  static Tree<S> in_a_moved_world(Tree<S> t) {
+  static Tree<double> in_a_moved_world(Tree<double> t) {
     for (auto& j : t.joints) {
       if (j.parent >= 0) continue;
       const auto Q = j.Q;
       j.Q = {{Q[3], -Q[2], Q[1], -Q[0]}};
-      j.p = {{j.p[0] + S(100), -j.p[1], -j.p[2]}};
+      j.p = {{j.p[0] + 100, -j.p[1], -j.p[2]}};
     }
     t.gravity = {{t.gravity[0], -t.gravity[1], -t.gravity[2]}};
     return t;
   }
   /// Splits each body into two equal halves. The frame of the second half is at 2 c, rotated by 2 pi / 3
   /// about (1, 1, 1), so that R e_x = e_y. Its centre of mass in that frame is -R^T c. All numbers are exact.
-  static Tree<S> in_parts(Tree<S> t) {
-    const S half = S(1) / S(2);
+  static Tree<double> in_parts(Tree<double> t) {
+    const double half = 0.5;
     for (std::size_t i = 0; i < t.joints.size(); ++i) {
       auto& body = t.joints[i].body;
       body.mass *= half;
-      for (S& x : body.I_C.x) x *= half;
-      oracles::BodyOf<S> other = body;
+      for (double& x : body.I_C.x) x *= half;
+      oracles::BodyOf<double> other = body;
       for (int k = 0; k < 3; ++k) {
         other.c[k] = -body.c[(k + 1) % 3];
         for (int l = 0; l < 3; ++l) other.I_C(k, l) = body.I_C((k + 1) % 3, (l + 1) % 3);
@@ -108,12 +107,12 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
       t.fixed.push_back({static_cast<int>(i),
                          other,
                          {{half, half, half, half}},
-                         {{S(2) * body.c[0], S(2) * body.c[1], S(2) * body.c[2]}}});
+                         {{2 * body.c[0], 2 * body.c[1], 2 * body.c[2]}}});
     }
     return t;
   }
   /// The order of the joints in a depth-first traversal from the last branch to the first.
-  static std::vector<int> reordered(const Tree<S>& t) {
+  static std::vector<int> reordered(const Tree<double>& t) {
     std::vector<int> order;
     const auto visit = [&](auto& self, int parent) -> void {
       for (int i = static_cast<int>(t.joints.size()); i-- > 0;)

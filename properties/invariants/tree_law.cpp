@@ -16,8 +16,7 @@ struct Overloaded : F... {
 };
 
 /// Whether all eigenvalues of the second moment tr(I) / 2 - I exceed `least` tr(I). I is xx xy yy xz yz zz.
-template <class S>
-bool thicker(const S* I, long double trace, long double least) {
+bool thicker(const double* I, long double trace, long double least) {
   if (trace == 0) return least < 0;
   const auto second = [&](int k, bool diagonal) {
     return (diagonal ? 0.5L - least : 0.0L) - static_cast<long double>(I[k]) / trace;
@@ -119,28 +118,25 @@ RobotNumbers robot_numbers(const Robot& robot) {
   return r;
 }
 
-template <class S>
-bool AnyTreeLaw<S>::has(const Subject<S>& subject, const Operation& operation) const {
+bool AnyTreeLaw::has(const Subject& subject, const Operation& operation) const {
   if (!subject.operations.tree) return false;
-  const auto zero = oracles::zero_vector<3, S>();
-  oracles::JointOf<S> joint;
-  joint.Q = {{S(0), S(0), S(0), S(1)}}, joint.p = zero, joint.axis = {{S(0), S(0), S(1)}};
-  joint.pitch = joint.multiplier = joint.offset = joint.armature = S(0);
-  joint.body = {S(1), zero, oracles::identity<3, S>()};
-  Tree<S> tree;
+  const auto zero = oracles::zero_vector<3, double>();
+  oracles::JointOf<double> joint;
+  joint.Q = {{0, 0, 0, 1}}, joint.p = zero, joint.axis = {{0, 0, 1}};
+  joint.pitch = joint.multiplier = joint.offset = joint.armature = 0;
+  joint.body = {1, zero, oracles::identity<3, double>()};
+  Tree<double> tree;
   tree.joints = {joint}, tree.gravity = zero, tree.frame_Q = joint.Q, tree.frame_p = zero;
   tree.index();
   if (!rebuilds_tree()) tree.urdf = urdf_;
   return subject.operations.tree(tree).has(operation);
 }
 
-template <class S>
-std::unique_ptr<const TreeCase<S>> AnyTreeLaw<S>::users_tree() const {
-  return robot_ ? std::make_unique<const TreeCase<S>>(at_, fixed_, fixed_) : nullptr;
+std::unique_ptr<const TreeCase<double>> AnyTreeLaw::users_tree() const {
+  return robot_ ? std::make_unique<const TreeCase<double>>(at_, fixed_, fixed_) : nullptr;
 }
 
-template <class S>
-std::vector<Field> AnyTreeLaw<S>::fields() const {
+std::vector<Field> AnyTreeLaw::fields() const {
   std::vector<Field> all;
   const auto add = [&](const std::string& name, Kind kind, int size, const char* unit, Reach reach) {
     all.push_back({name, kind, size, unit, reach});
@@ -180,27 +176,29 @@ std::vector<Field> AnyTreeLaw<S>::fields() const {
   return all;
 }
 
-template <class S>
-std::vector<std::vector<S>> AnyTreeLaw<S>::simpler(const std::vector<S>& input) const {
-  return robot_ ? std::vector<std::vector<S>>() : shrinks::simpler_trees(input);
+std::vector<std::vector<double>> AnyTreeLaw::simpler(const std::vector<double>& input) const {
+  std::vector<std::vector<double>> all;
+  if (robot_) return all;
+  scalar().with([&]<class S>() {
+    for (const std::vector<S>& x : shrinks::simpler_trees(oracles::numbers_in<S>(input)))
+      all.push_back(oracles::as_doubles(x));
+  });
+  return all;
 }
 
-template <class S>
-bool AnyTreeLaw<S>::takes(std::size_t numbers) const {
-  if (robot_) return Property<S>::takes(numbers);
+bool AnyTreeLaw::takes(std::size_t numbers) const {
+  if (robot_) return Property::takes(numbers);
   const TreeLayout at = TreeLayout::of_size(numbers);
   return at.slots <= most_joints && at.size() == numbers;
 }
 
-template <class S>
-std::string AnyTreeLaw<S>::program(const Output& output, const std::vector<S>& input) const {
-  const std::vector<S> full = full_of(input);
-  const TreeCase<double> c(layout_of(full), full, std::vector<double>(full.begin(), full.end()));
-  return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
+std::string AnyTreeLaw::program(const Output& output, const std::vector<double>& input) const {
+  const std::vector<double> full = full_of(input);
+  const TreeCase<double> c(layout_of(full), full, full);
+  return tree_program(c, output.record->call, std::string(scalar().name));
 }
 
-template <class S>
-void AnyTreeLaw<S>::prepare(const Robot& robot) {
+void AnyTreeLaw::prepare(const Robot& robot) {
   urdf_ = nullptr;
   if (robot.path.empty()) return;
   urdf_ = urdf_model(robot.urdf, robot.fixed);
@@ -208,20 +206,19 @@ void AnyTreeLaw<S>::prepare(const Robot& robot) {
   robot_ = true;
   at_ = r.at;
   fixed_.clear();
-  for (double x : r.numbers) fixed_.push_back(S(x));
+  for (double x : r.numbers) fixed_.push_back(scalar().rounded(x));
 }
 
 template <class S>
-std::vector<S> AnyTreeLaw<S>::state_of(const std::vector<S>& full) const {
+std::vector<S> AnyTreeLaw::state_of(const std::vector<S>& full) const {
   std::vector<S> x;
   for_each_state(
       at_, [&](int first, int n) { x.insert(x.end(), full.begin() + first, full.begin() + first + n); });
   return x;
 }
-template <class S>
-std::vector<S> AnyTreeLaw<S>::full_of(const std::vector<S>& input) const {
+std::vector<double> AnyTreeLaw::full_of(const std::vector<double>& input) const {
   if (!robot_) return input;
-  std::vector<S> full = fixed_;
+  std::vector<double> full = fixed_;
   auto from = input.begin();
   for_each_state(at_, [&](int first, int n) {
     std::copy_n(from, n, full.begin() + first);
@@ -231,33 +228,34 @@ std::vector<S> AnyTreeLaw<S>::full_of(const std::vector<S>& input) const {
 }
 
 template <class S>
-std::vector<S> AnyTreeLaw<S>::generate(Source& source) const {
+std::vector<S> AnyTreeLaw::draw(Source& source) const {
   if (!robot_) return random_tree<S>(source, has_floating_base());
-  std::vector<S> x = fixed_;
+  std::vector<S> x = oracles::numbers_in<S>(fixed_);
   const StateReach far(source);
   for (int i = 0; i < at_.slots; ++i)
     random_joint_state(source, static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kind(i))])),
-                       fixed_[index(at_.primary(i))] >= S(0), far, x.data() + at_.slot(i));
+                       fixed_[index(at_.primary(i))] >= 0, far, x.data() + at_.slot(i));
   random_frame(source, at_.slots, x.data() + at_.frame());
   random_wrench(source, at_.slots, x.data() + at_.wrench());
   return state_of(x);
 }
+template std::vector<float> AnyTreeLaw::draw(Source&) const;
+template std::vector<double> AnyTreeLaw::draw(Source&) const;
 
-template <class S>
-bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
-  if (!Property<S>::valid(input)) return false;
+bool AnyTreeLaw::valid(const std::vector<double>& input) const {
+  if (!Property::valid(input)) return false;
   if (!takes(input.size())) return false;
-  const std::vector<S> x = full_of(input);
+  const std::vector<double> x = full_of(input);
   const TreeLayout at = layout_of(x);
   using oracles::JointKind;
   using Slot = TreeSlot;
   const auto whole = [&](int i, int low, int high) {
-    return x[index(i)] >= S(low) && x[index(i)] <= S(high) && x[index(i)] == S(static_cast<int>(x[index(i)]));
+    return x[index(i)] >= low && x[index(i)] <= high && x[index(i)] == static_cast<int>(x[index(i)]);
   };
   const auto unit = [&](int first, int n) {
     oracles::Quaternion<> u{{Real(0), Real(0), Real(0), Real(0)}};
     for (int k = 0; k < n; ++k) u[k] = oracles::exact<Real>(x[index(first + k)]);
-    return oracles::norm_defect<S>(u) <= 8;
+    return oracles::norm_defect(scalar(), u) <= 8;
   };
   int joints = 0, roots = 0;
   for (int i = 0; i < at.slots; ++i) {
@@ -265,86 +263,86 @@ bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
     const int slot = at.slot(i);
     if (!unit(slot + Slot::Q, 4) || !unit(slot + Slot::q_Q, 4) || !unit(slot + Slot::q_circle, 2))
       return false;
-    if (x[index(at.parent(i))] == S(absent_joint)) continue;
+    if (x[index(at.parent(i))] == absent_joint) continue;
     if (joints++ < i) return false;
-    roots += x[index(at.parent(i))] == S(-1);
+    roots += x[index(at.parent(i))] == -1;
     if (!whole(at.kind(i), 0, 7) || !whole(at.primary(i), -1, i - 1)) return false;
     const auto kind = [&](int k) { return static_cast<JointKind>(static_cast<int>(x[index(at.kind(k))])); };
     if (const int primary = static_cast<int>(x[index(at.primary(i))]); primary >= 0) {
       const bool simple =
           kind(i) == JointKind::revolute || kind(i) == JointKind::prismatic || kind(i) == JointKind::helical;
-      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at.primary(primary))] >= S(0)) return false;
+      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at.primary(primary))] >= 0) return false;
     }
     if (robot_) continue;
-    const S mass = x[index(at.mass(i))], armature = x[index(slot + Slot::armature)];
-    if (!(mass > S(0)) || !(armature >= S(0)) || !unit(slot + Slot::axis, 3)) return false;
+    const double mass = x[index(at.mass(i))], armature = x[index(slot + Slot::armature)];
+    if (!(mass > 0) || !(armature >= 0) || !unit(slot + Slot::axis, 3)) return false;
     // The second moment tr(I) / 2 - I must be positive semidefinite. Without an armature the body must also
     // be thick enough to give its joint an inertia.
-    const S* I = x.data() + slot + Slot::I;
+    const double* I = x.data() + slot + Slot::I;
     const long double trace =
         static_cast<long double>(I[0]) + static_cast<long double>(I[2]) + static_cast<long double>(I[5]);
-    if (!thicker(I, trace, -32 * static_cast<long double>(std::numeric_limits<S>::epsilon()))) return false;
-    if (armature == S(0) && (!thicker(I, trace, 1e-5L) || trace < 1e-4L * static_cast<long double>(mass)))
+    if (!thicker(I, trace, -32 * static_cast<long double>(scalar().epsilon))) return false;
+    if (armature == 0 && (!thicker(I, trace, 1e-5L) || trace < 1e-4L * static_cast<long double>(mass)))
       return false;
   }
   if (joints == 0 || !whole(at.frame(), 0, joints - 1) || !whole(at.wrench(), -1, joints - 1)) return false;
   if (has_floating_base() && !robot_ &&
-      (roots > 1 || x[index(at.kind(0))] != S(static_cast<int>(JointKind::free_flyer))))
+      (roots > 1 || x[index(at.kind(0))] != static_cast<int>(JointKind::free_flyer)))
     return false;
   return unit(at.frame() + 1, 4);
 }
 
-template <class S, class T>
-CaseAt<S, T>::CaseAt(TreeLayout at, const std::vector<S>& full)
+template <class T>
+CaseAt<T>::CaseAt(TreeLayout at, const std::vector<double>& full)
     : layout(at),
       structure(full),
       numbers(exact_list<T>(full)),
       stored(layout, full, full),
       exact(layout, full, numbers),
-      rough(layout, full, std::vector<double>(full.begin(), full.end())),
       q(eigen(stored.q)),
       v(eigen(stored.v)),
       a(eigen(stored.a)),
       d(eigen(stored.d)),
       F(eigen(stored.wrench)),
       F_joint(stored.wrench.empty() ? -1 : stored.wrench[0].joint) {}
-template <class S, class T>
-CaseAt<S, T>::~CaseAt() = default;
+template <class T>
+CaseAt<T>::~CaseAt() = default;
 
-template <class S, class T>
-oracles::TreeSizes<double> CaseAt<S, T>::sizes(const std::vector<double>& v, const std::vector<double>& a,
-                                               bool pushed) const {
-  return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
+template <class T>
+oracles::TreeSizes<double> CaseAt<T>::sizes(const std::vector<double>& v, const std::vector<double>& a,
+                                            bool pushed) const {
+  return {stored.tree, stored.q, v, a, pushed ? stored.wrench : std::vector<oracles::WrenchOf<double>>()};
 }
-template <class S, class T>
-bool CaseAt<S, T>::resolved(bool direction) const {
+template <class T>
+bool CaseAt<T>::resolved(bool direction) const {
   if constexpr (oracles::BallNumber<T>)
     return true;
   else
     return oracles::confirmed(exact.tree, exact.q, exact.v, exact.a, direction ? exact.d : std::vector<T>());
 }
-template <class S, class T>
-void CaseAt<S, T>::record(Recorder& r, const Output& output, const VecX<S>& computed,
-                          const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
-                          bool confirmed) const {
+template <class T>
+void CaseAt<T>::record(Recorder& r, const Output& output, const VecX<double>& computed,
+                       const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+                       bool confirmed) const {
   if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
   record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
 }
-template <class S, class T>
-void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T>& computed,
-                          const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
-                          bool confirmed) const {
+template <class T>
+void CaseAt<T>::record(Recorder& r, const Output& output, const std::vector<T>& computed,
+                       const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+                       bool confirmed) const {
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
   if constexpr (std::is_same_v<T, oracles::Real>)
     if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
       w->computed = computed, w->exact = exact_value;
-  const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
+  const T size = oracles::larger(weighted_norm(exact_value, w), T(r.scalar().least_denominator()));
   double kappa = terms / approximate(size);
   const auto known = [&] { return kappa; };
   if constexpr (oracles::BallNumber<T>) {
-    constexpr double eps = std::numeric_limits<S>::epsilon();
+    const double eps = r.scalar().epsilon;
     const double most = size.head() + size.r;
-    if (terms / most * eps > 2) {  // ill-posed, whatever the error; kappa may be larger, because y may be zero
+    if (terms / most * eps >
+        2) {  // ill-posed, whatever the error; kappa may be larger, because y may be zero
       kappa = terms / most;
       const std::vector<double> x = rough_list(computed), y = rough_list(exact_value);
       std::vector<double> difference;
@@ -352,22 +350,12 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
       return r.record(output, 0, weighted_norm(difference, w) / most / eps, {known, kappa});
     }
   }
-  r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), {known, kappa});
+  r.record(output, 0, weighted_error(r.scalar(), computed, exact_value, w, size), {known, kappa});
 }
 
-template class AnyTreeLaw<float>;
-template class AnyTreeLaw<double>;
-template class AnyTreeLaw<float128>;
-template struct CaseAt<float, oracles::Real>;
-template struct CaseAt<float, oracles::DoubleDoubleBall>;
-template struct CaseAt<float, oracles::RealBall>;
-template struct CaseAt<double, oracles::Real>;
-template struct CaseAt<double, oracles::DoubleDoubleBall>;
-template struct CaseAt<double, oracles::RealBall>;
-template struct CaseAt<float128, oracles::Real>;
-template Tree<float> described(const TreeCase<float>&);
-template Tree<double> described(const TreeCase<double>&);
-template Tree<float128> described(const TreeCase<float128>&);
+template struct CaseAt<oracles::Real>;
+template struct CaseAt<oracles::DoubleDoubleBall>;
+template struct CaseAt<oracles::RealBall>;
 template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
 template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
 template decltype(mass_roots<oracles::RealBall>) mass_roots<oracles::RealBall>;

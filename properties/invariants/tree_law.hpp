@@ -35,8 +35,8 @@ std::vector<double> rough_list(const std::vector<T>& x) {
   return y;
 }
 /// J x with the exact numbers of J.
-template <class S, class T>
-std::vector<T> exact_product(const MatX<S>& J, const std::vector<T>& x) {
+template <class T>
+std::vector<T> exact_product(const MatX<double>& J, const std::vector<T>& x) {
   std::vector<T> sum(static_cast<std::size_t>(J.rows()), T(0));
   for (int i = 0; i < J.rows(); ++i)
     for (int k = 0; k < J.cols(); ++k)
@@ -55,11 +55,12 @@ double inverse_size(const std::vector<T>& factor, const std::vector<double>& roo
   }
   return size;
 }
-/// Whether M is singular, or may be after rounding in S. Then an operation that solves with M may refuse the
+/// Whether M is singular, or may be after rounding in the scalar. Then an operation that solves with M may refuse the
 /// case. `factor` is that of M, empty if M has none; `size` is ||A||.
-template <class S, class T>
-bool nearly_singular(const std::vector<T>& factor, const std::vector<double>& roots, double size) {
-  return factor.empty() || !(64 * size * inverse_size(factor, roots) * std::numeric_limits<S>::epsilon() < 1);
+template <class T>
+bool nearly_singular(const oracles::Scalar& scalar, const std::vector<T>& factor,
+                     const std::vector<double>& roots, double size) {
+  return factor.empty() || !(64 * size * inverse_size(factor, roots) * scalar.epsilon < 1);
 }
 /// Calls f, which records the outputs of an operation that solves with M. If the operation throws
 /// std::domain_error and M is nearly singular, records that the case is ill-posed.
@@ -73,25 +74,24 @@ void solved(Recorder& r, const Few<Output, 2>& outputs, const IsSingular& nearly
   }
 }
 /// The entries of a matrix, row by row.
-template <class S, int R, int C>
-VecX<S> flat(const Eigen::Matrix<S, R, C>& M) {
+template <int R, int C>
+VecX<double> flat(const Eigen::Matrix<double, R, C>& M) {
   return M.transpose().reshaped();
 }
 
-/// The case that `of` receives: the stored numbers, the same numbers in T and in double.
-template <class S, class T>
+/// The case that `of` receives: the stored numbers, and the same numbers in T.
+template <class T>
 struct CaseAt {
-  CaseAt(TreeLayout at, const std::vector<S>& full);
+  CaseAt(TreeLayout at, const std::vector<double>& full);
   ~CaseAt();
 
   TreeLayout layout;
-  const std::vector<S>& structure;
+  const std::vector<double>& structure;
   std::vector<T> numbers;
-  TreeCase<S> stored;
+  TreeCase<double> stored;  ///< also for the sizes of terms
   TreeCase<T> exact;
-  TreeCase<double> rough;  ///< for the sizes of terms
-  VecX<S> q, v, a, d;
-  Vec<S, 6> F;
+  VecX<double> q, v, a, d;
+  Vec<double, 6> F;
   int F_joint;
 
   std::size_t nv() const { return exact.v.size(); }
@@ -111,8 +111,9 @@ struct CaseAt {
   /// Whether finite differences of poses confirm the oracle. In ball arithmetic, always true (not checked).
   bool resolved(bool direction = false) const;
   /// Records the error of a vector, in the norm with weights w, and kappa = terms / ||exact||.
-  void record(Recorder& r, const Output& output, const VecX<S>& computed, const std::vector<T>& exact_value,
-              const std::vector<double>& w, double terms, bool confirmed) const;
+  void record(Recorder& r, const Output& output, const VecX<double>& computed,
+              const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+              bool confirmed) const;
   void record(Recorder& r, const Output& output, const std::vector<T>& computed,
               const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
               bool confirmed) const;
@@ -122,12 +123,11 @@ struct CaseAt {
 };
 
 /// What all laws on trees of bodies share.
-template <class S>
-class AnyTreeLaw : public Property<S> {
+class AnyTreeLaw : public Property {
  public:
   /// Balls of double lose too many digits in these sums.
-  using Tiers = std::conditional_t<std::is_same_v<S, float128>, std::tuple<>,
-                                   std::tuple<oracles::DoubleDoubleBall, oracles::RealBall>>;
+  using Tiers = std::tuple<oracles::DoubleDoubleBall, oracles::RealBall>;
+  static std::size_t first_tier(const oracles::Scalar&, bool) { return 0; }
   static constexpr bool floating = false;  ///< a law may set this to true
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;
@@ -135,70 +135,64 @@ class AnyTreeLaw : public Property<S> {
   /// Whether the law builds other trees than that of its case, which no URDF describes.
   virtual bool rebuilds_tree() const = 0;
   std::vector<Field> fields() const override;
-  std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override;
+  std::vector<std::vector<double>> simpler(const std::vector<double>& input) const override;
   /// A random tree of more than tree_slots joints has more numbers than the fields name.
   bool takes(std::size_t numbers) const override;
-  std::string program(const Output& output, const std::vector<S>& input) const override;
+  std::string program(const Output& output, const std::vector<double>& input) const override;
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override;
-  std::vector<S> generate(Source& source) const override;
-  bool valid(const std::vector<S>& input) const override;
+  template <class S>
+  std::vector<S> draw(Source& source) const;
+  bool valid(const std::vector<double>& input) const override;
 
  protected:
-  TreeLayout layout_of(const std::vector<S>& full) const {
+  TreeLayout layout_of(const std::vector<double>& full) const {
     return robot_ ? at_ : TreeLayout::of_size(full.size());
   }
   /// Whether the subject offers the operation on a tree of one joint or, if the user gave a robot, on a URDF.
   /// Before prepare: whether it does on either.
-  bool has(const Subject<S>& subject, const Operation& operation) const override;
+  bool has(const Subject& subject, const Operation& operation) const override;
   /// The tree of the user's robot, at its neutral configuration; null without one.
-  std::unique_ptr<const TreeCase<S>> users_tree() const;
+  std::unique_ptr<const TreeCase<double>> users_tree() const;
   /// All numbers of a case. If the user gave a robot, the input holds only its state.
-  std::vector<S> full_of(const std::vector<S>& input) const;
+  std::vector<double> full_of(const std::vector<double>& input) const;
 
   std::shared_ptr<const UrdfModel> urdf_ = std::make_shared<UrdfModel>();  ///< null without a robot
 
  private:
+  template <class S>
   std::vector<S> state_of(const std::vector<S>& full) const;
 
   bool robot_ = false;
   TreeLayout at_{tree_slots};
-  std::vector<S> fixed_;
+  std::vector<double> fixed_;
 };
 
-/// A law P on trees of bodies. P<S> has the function
-///   template <class Real> void of(const Operations<S>&, const CaseAt<S, Real>&, Recorder&) const
+/// A law P on trees of bodies. P has the function
+///   template <class Real> void of(const Operations&, const CaseAt<Real>&, Recorder&) const
 /// and, if its trees need a floating base, a constant `floating` that is true; if it builds other trees,
 /// `rebuilds`.
-template <template <class> class P, class S>
-class TreeLaw : public Law<P, S, AnyTreeLaw<S>> {
+template <class P>
+class TreeLaw : public Law<P, AnyTreeLaw> {
  public:
-  bool has_floating_base() const override { return P<S>::floating; }
-  bool rebuilds_tree() const override { return P<S>::rebuilds; }
+  bool has_floating_base() const override { return P::floating; }
+  bool rebuilds_tree() const override { return P::rebuilds; }
   template <class T>
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
-    const std::vector<S> full = this->full_of(input);
-    CaseAt<S, T> c(this->layout_of(full), full);
-    if (!P<S>::rebuilds) c.stored.urdf = this->urdf_;
-    static_cast<const P<S>*>(this)->template of<T>(subject.operations, std::as_const(c), recorder);
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const {
+    const std::vector<double> full = this->full_of(input);
+    CaseAt<T> c(this->layout_of(full), full);
+    if (!P::rebuilds) c.stored.urdf = this->urdf_;
+    static_cast<const P*>(this)->template of<T>(subject.operations, std::as_const(c), recorder);
   }
 };
 
 // tree_law.cpp instantiates these.
-extern template class AnyTreeLaw<float>;
-extern template class AnyTreeLaw<double>;
-extern template class AnyTreeLaw<float128>;
-extern template struct CaseAt<float, oracles::Real>;
-extern template struct CaseAt<float, oracles::DoubleDoubleBall>;
-extern template struct CaseAt<float, oracles::RealBall>;
-extern template struct CaseAt<double, oracles::Real>;
-extern template struct CaseAt<double, oracles::DoubleDoubleBall>;
-extern template struct CaseAt<double, oracles::RealBall>;
-extern template struct CaseAt<float128, oracles::Real>;
-extern template Tree<float> described(const TreeCase<float>&);
-extern template Tree<double> described(const TreeCase<double>&);
-extern template Tree<float128> described(const TreeCase<float128>&);
+extern template std::vector<float> AnyTreeLaw::draw(Source&) const;
+extern template std::vector<double> AnyTreeLaw::draw(Source&) const;
+extern template struct CaseAt<oracles::Real>;
+extern template struct CaseAt<oracles::DoubleDoubleBall>;
+extern template struct CaseAt<oracles::RealBall>;
 extern template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
 extern template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
 extern template decltype(mass_roots<oracles::RealBall>) mass_roots<oracles::RealBall>;
@@ -213,9 +207,9 @@ extern template decltype(inverse_size<oracles::DoubleDoubleBall>) inverse_size<o
 extern template decltype(inverse_size<oracles::RealBall>) inverse_size<oracles::RealBall>;
 
 /// Registers a law on trees of bodies.
-template <template <class> class P>
+template <class P>
 struct RegisteredTreeLaw : RegisteredProperty<P> {
-  RegisteredTreeLaw() { add_tree_law(P<double>::stated.name); }
+  RegisteredTreeLaw() { add_tree_law(P::stated.name); }
 };
 
 }  // namespace liecheck::properties

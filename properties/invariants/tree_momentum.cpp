@@ -5,8 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
+class TreeMomentum final : public TreeLaw<TreeMomentum> {
  public:
   static constexpr bool floating = true;
   static constexpr Output linear = op::tree_momentum[block::linear],
@@ -27,10 +26,10 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
       .formed = {{&op::momentum_conserved, {&op::tree_aba}}}};
 
   template <class T, class Case>
-  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
-    Tree<S> weightless = described(c.stored);
-    weightless.gravity = {{S(0), S(0), S(0)}};
-    const TreeOperations<S> o = subject.tree(weightless);
+  void of(const Operations& subject, const Case& c, Recorder& r) const {
+    Tree<double> weightless = described(c.stored);
+    weightless.gravity = {{0, 0, 0}};
+    const TreeOperations<double> o = subject.tree(weightless);
     const std::vector<T> still(c.nv(), T(0));
     const auto moving = c.dynamics(c.exact.v, still);
     const bool resolved = c.resolved();
@@ -38,22 +37,22 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
       return std::vector<T>{h[3 * part], h[3 * part + 1], h[3 * part + 2]};
     };
     const oracles::Vec6<T> h = moving.momentum();
-    const auto sizes = c.sizes(c.rough.v, c.rough.v);
+    const auto sizes = c.sizes(c.stored.v, c.stored.v);
     const auto record = [&](const Output& output, int part, const auto& computed) {
       c.record(r, output, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
                resolved);
     };
     // Each operation is called once: a second call would hide that the first one returned an earlier result.
     if (o[op::tree_momentum]) {
-      const VecX<S> computed = o[op::tree_momentum](c.q, c.v);
+      const VecX<double> computed = o[op::tree_momentum](c.q, c.v);
       for (int part = 0; part < 2; ++part)
-        record(part == 0 ? linear : angular, part, VecX<S>(computed.template segment<3>(3 * part)));
+        record(part == 0 ? linear : angular, part, VecX<double>(computed.segment<3>(3 * part)));
     }
     if (o[op::tree_momentum_map]) {
-      const MatX<S> A = o[op::tree_momentum_map](c.q);
+      const MatX<double> A = o[op::tree_momentum_map](c.q);
       for (int part = 0; part < 2; ++part) {
         const Output& output = part == 0 ? map_linear : map_angular;
-        const MatX<S> rows = A.middleRows(3 * part, 3);
+        const MatX<double> rows = A.middleRows(3 * part, 3);
         if (oracles::all_finite(rows))
           record(output, part, exact_product(rows, c.exact.v));
         else
@@ -80,18 +79,19 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
   }
 
   template <class T, class Case>
-  static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& M) {
+  static void conservation(const TreeOperations<double>& o, const Case& c, Recorder& r,
+                           const std::vector<T>& M) {
     if (is_held(c.exact.tree)) return r.outcome(conserved, 0, Outcome::ill_posed);
-    VecX<S> tau = c.a;
-    tau.template head<6>().setZero();
+    VecX<double> tau = c.a;
+    tau.head<6>().setZero();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = moving_inverses(roots);
     const auto singular = [&] {
       const std::vector<double> at_rest(c.nv(), 0);
-      return nearly_singular<S>(oracles::positive_factor(M, c.nv()), roots,
-                                weighted_size(c.sizes(at_rest, at_rest).mass, products(w)));
+      return nearly_singular(r.scalar(), oracles::positive_factor(M, c.nv()), roots,
+                             weighted_size(c.sizes(at_rest, at_rest).mass, products(w)));
     };
     solved(r, {conserved}, singular, [&] {
-      const VecX<S> computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
+      const VecX<double> computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<double, 6>::Zero());
       if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
       record_base_force<T>(c, r, tau, exact_list<T>(computed), M, roots);
     });
@@ -99,21 +99,21 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
 
   /// The exact force on the base at the acceleration a, which determines it even if M is singular.
   template <class T, class Case>
-  static void record_base_force(const Case& c, Recorder& r, const VecX<S>& tau, const std::vector<T>& a,
+  static void record_base_force(const Case& c, Recorder& r, const VecX<double>& tau, const std::vector<T>& a,
                                 const std::vector<T>& M, const std::vector<double>& roots) {
     const std::vector<double> w = moving_inverses(roots);
     oracles::TreeOf<T> weightless = c.exact.tree;
-    oracles::TreeOf<double> rough = c.rough.tree;
+    oracles::TreeOf<double> rough = c.stored.tree;
     weightless.gravity = oracles::zero_vector<3, T>(), rough.gravity = {{0, 0, 0}};
     const oracles::TreeDynamics<T> there(weightless, c.poses(), c.exact.v, a);
     std::vector<T> base = there.torque();
     base.resize(6);
     const double terms =
         approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
-        weighted_size(oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
+        weighted_size(oracles::TreeSizes<double>(rough, c.stored.q, c.stored.v, rough_list(a)).tau, w) +
         approximate(weighted_norm(exact_list<T>(tau), w));
     const std::vector<T> nothing(6, T(0));
-    r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
+    r.record(conserved, 0, weighted_error(r.scalar(), base, nothing, w, T(terms)));
   }
 };
 

@@ -72,14 +72,14 @@ inline std::vector<double> products(const std::vector<double>& w) {
   return all;
 }
 
-/// ||w (computed - exact)|| / max(scale, min_normal / eps), in eps of S.
-template <class S, class T>
-double weighted_error(const std::vector<T>& computed, const std::vector<T>& exact,
-                      const std::vector<double>& w, const T& scale) {
+/// ||w (computed - exact)|| / max(scale, min_normal / eps), in eps of the scalar.
+template <class T>
+double weighted_error(const oracles::Scalar& scalar, const std::vector<T>& computed,
+                      const std::vector<T>& exact, const std::vector<double>& w, const T& scale) {
   std::vector<T> difference;
   for (std::size_t k = 0; k < exact.size(); ++k) difference.push_back(computed[k] - exact[k]);
-  const T size = oracles::larger(scale, oracles::least_denominator<S, T>());
-  return oracles::in_eps<S>(T(weighted_norm(difference, w) / size));
+  const T size = oracles::larger(scale, T(scalar.least_denominator()));
+  return oracles::in_eps(scalar, T(weighted_norm(difference, w) / size));
 }
 
 }  // namespace liecheck::properties

@@ -7,8 +7,7 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-class Twist final : public SlowLaw<Twist, S> {
+class Twist final : public SlowLaw<Twist> {
  public:
   static constexpr const auto& measured = op::twist_angle;
   static constexpr Statement stated{
@@ -20,7 +19,8 @@ class Twist final : public SlowLaw<Twist, S> {
       .fields = {{"Q", Kind::quaternion, 4, "1"}, {"axis", Kind::direction, 3, "1"}}};
 
   /// Often a turn about the axis itself, as of a joint.
-  std::vector<S> generate(Source& source) const override {
+  template <class S>
+  std::vector<S> draw(Source& source) const {
     const auto Q = unit_quaternion<S>(source);
     Vec<S, 3> axis = direction<S>(source);
     using std::sqrt;
@@ -28,28 +28,28 @@ class Twist final : public SlowLaw<Twist, S> {
     if (source.chance(1, 4) && n > S(sqrt(std::numeric_limits<S>::min()))) axis = Q.template head<3>() / n;
     return Joined<S>{Q, axis};
   }
-  bool valid(const std::vector<S>& input) const override {
-    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 &&
-           (input[4] != S(0) || input[5] != S(0) || input[6] != S(0));
+  bool valid(const std::vector<double>& input) const override {
+    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
+           (input[4] != 0 || input[5] != 0 || input[6] != 0);
   }
-  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+  void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     if (!subject.operations[measured]) return;
     constexpr Output angle = measured[block::angle];
-    Reader<S> read(input);
-    const Vec<S, 4> Q = read.template take<4>();
-    const Vec<S, 3> axis = read.template take<3>();
+    Reader read(input);
+    const Vec<double, 4> Q = read.take<4>();
+    const Vec<double, 3> axis = read.take<3>();
     const oracles::TwistAngle exact =
         oracles::twist_angle(oracles::exact_vector<4>(Q), oracles::exact_vector<3>(axis));
-    const Vec<S, 1> computed(subject.operations[measured](Q, axis));
+    const Vec<double, 1> computed(subject.operations[measured](Q, axis));
     if (!exact.determined && oracles::all_finite(computed)) return r.outcome(angle, 0, Outcome::ill_posed);
     judged_value(r, {angle}, 0, computed, exact.resolved, [&] {
       const Real got = oracles::exact<Real>(computed[0]);
       // Within 8 eps of pi, rounding may choose the other sign.
-      const bool either = exact.pi_minus_angle <= Real(8) * oracles::epsilon<S>();
+      const bool either = exact.pi_minus_angle <= Real(8 * scalar().epsilon);
       const Real turn = 2 * (abs(exact.angle) + exact.pi_minus_angle),
                  other = exact.angle < 0 ? Real(exact.angle + turn) : Real(exact.angle - turn);
-      const double error = oracles::scalar_error<S>(got, exact.angle, exact.scale),
-                   beyond = oracles::scalar_error<S>(got, other, exact.scale);
+      const double error = oracles::scalar_error(r.scalar(), got, exact.angle, exact.scale),
+                   beyond = oracles::scalar_error(r.scalar(), got, other, exact.scale);
       if (!either && beyond < 64 && error > 1e3) return r.outcome(angle, 0, Outcome::wrong_branch);
       r.record(angle, 0, either ? std::min(error, beyond) : error);
     });

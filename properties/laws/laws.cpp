@@ -8,7 +8,7 @@
 #include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
 #include <campaign/expected.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <failures/description.hpp>
 #include <generators/shrinks.hpp>
 #include <hard_cases/hard_cases.hpp>
@@ -50,28 +50,26 @@ std::vector<std::unique_ptr<Series>> series_of(const liecheck_adapter& library,
 }
 
 /// "phi = (0x1p-3, 0x0p+0, 0x0p+0) rad [0.125, 0, 0]", one line for each field.
-template <class S>
-std::string text_of(const std::vector<Field>& fields, const std::vector<S>& x) {
-  std::string text = scalar_name<S>();
+std::string text_of(const Series& series, const std::vector<double>& x) {
+  std::string text = series.scalar;
   auto from = x.begin();
-  for (const Field& f : fields) {
+  for (const Field& f : series.fields) {
     std::vector<std::string> exact, decimal;
     for (auto end = from + std::min<std::ptrdiff_t>(f.size, x.end() - from); from != end; ++from)
-      exact.push_back(hexadecimal_float(*from)), decimal.push_back(decimal_float(*from));
+      exact.push_back(hexadecimal_float(*from)), decimal.push_back(decimal_float(*from, series.format()));
     text += fmt::format("\n  {} = ({}) {}\n    exactly ({})", f.name, fmt::join(decimal, ", "), f.unit,
                         fmt::join(exact, ", "));
   }
   return text;
 }
 
-template <class S>
-Input input_of(const Series& series, const std::vector<S>& x) {
-  return {std::is_same_v<S, double>, {x.begin(), x.end()}, text_of(series.fields, x)};
+Input input_of(const Series& series, const std::vector<double>& x) {
+  return {!series.format().is_float(), x, text_of(series, x)};
 }
-template <class S>
-std::vector<S> numbers_of(const Input& input) {
-  std::vector<S> x;
-  for (const double number : input.numbers) x.push_back(static_cast<S>(number));
+/// The numbers of an input that a program may have made itself, rounded to the scalar.
+std::vector<double> numbers_of(const Series& series, const Input& input) {
+  std::vector<double> x;
+  for (const double number : input.numbers) x.push_back(series.format().rounded(number));
   return x;
 }
 
@@ -156,46 +154,43 @@ Law::Law(const liecheck_adapter& library, const std::string& name) : state_(new 
 Law::~Law() = default;
 
 Input Law::generate(const std::uint64_t (&bits)[4]) const {
-  return with_scalar(state_->in(bits[3] & 1), [&](const auto& s) {
-    Source source({bits[0], bits[1], bits[2], bits[3]});
-    return input_of(s, s.tested_law().generate(source));
-  });
+  const Series& s = state_->in(bits[3] & 1);
+  Source source({bits[0], bits[1], bits[2], bits[3]});
+  return input_of(s, s.tested_law().generate(source));
 }
 
 std::vector<Input> Law::simpler(const Input& input) const {
-  return with_scalar(state_->in(input.is_double), [&]<class S>(const TypedSeries<S>& s) {
-    std::vector<Input> all;
-    const std::vector<S> x = laws::numbers_of<S>(input);
-    const auto add = [&](const std::vector<S>& y) {
-      if (y != x && s.tested_law().valid(y)) all.push_back(input_of<S>(s, y));
-    };
-    for (const auto& y : s.tested_law().simpler(x)) add(y);
-    std::size_t from = 0;
-    for (const Field& f : s.fields) {
-      const auto size = static_cast<std::size_t>(f.size);
-      const std::vector<S> group(&x[from], &x[from] + size);
-      for (const auto& candidate : shrinks::candidates<S>(group, f.kind)) {
-        if (candidate == group) break;  // later candidates are no simpler
-        std::vector<S> y = x;
-        std::copy(candidate.begin(), candidate.end(), y.begin() + static_cast<std::ptrdiff_t>(from));
-        add(y);
-      }
-      from += size;
+  const Series& s = state_->in(input.is_double);
+  std::vector<Input> all;
+  const std::vector<double> x = laws::numbers_of(s, input);
+  const auto add = [&](const std::vector<double>& y) {
+    if (y != x && s.tested_law().valid(y)) all.push_back(input_of(s, y));
+  };
+  for (const auto& y : s.tested_law().simpler(x)) add(y);
+  std::size_t from = 0;
+  for (const Field& f : s.fields) {
+    const auto size = static_cast<std::size_t>(f.size);
+    const std::vector<double> group(&x[from], &x[from] + size);
+    for (const auto& candidate : shrinks::candidates(s.format(), group, f.kind)) {
+      if (candidate == group) break;  // later candidates are no simpler
+      std::vector<double> y = x;
+      std::copy(candidate.begin(), candidate.end(), y.begin() + static_cast<std::ptrdiff_t>(from));
+      add(y);
     }
-    return all;
-  });
+    from += size;
+  }
+  return all;
 }
 
 Judgement Law::judge(const Input& input) const {
-  return with_scalar(state_->in(input.is_double), [&]<class S>(const TypedSeries<S>& s) {
-    const auto judged = s.measure_twice(laws::numbers_of<S>(input));
-    Judgement all{s.bands()[judged.empty() ? 0 : judged.front().residual.band].name, ""};
-    for (const Judged& j : judged)
-      if (fails(s, j) || leaves_open(j.residual.outcome)) all.failure += in_words(s, j);
-    if (!all.failure.empty())
-      all.failure = fmt::format("{}: {}\n  {}\n{}", s.property, s.law, s.equation, all.failure);
-    return all;
-  });
+  const Series& s = state_->in(input.is_double);
+  const auto judged = s.measure_twice(laws::numbers_of(s, input));
+  Judgement all{s.bands()[judged.empty() ? 0 : judged.front().residual.band].name, ""};
+  for (const Judged& j : judged)
+    if (fails(s, j) || leaves_open(j.residual.outcome)) all.failure += in_words(s, j);
+  if (!all.failure.empty())
+    all.failure = fmt::format("{}: {}\n  {}\n{}", s.property, s.law, s.equation, all.failure);
+  return all;
 }
 
 std::string Law::campaign(std::uint64_t seed, std::uint64_t cases) const {

@@ -98,6 +98,17 @@ struct Operation {
   }
 };
 
+/// In the place of a scalar: the numbers of any scalar as doubles.
+struct Doubles {};
+template <class S>
+struct NumberOf {
+  using type = S;
+};
+template <>
+struct NumberOf<Doubles> {
+  using type = double;
+};
+
 // The types of arguments and results, for every scalar S.
 namespace type {
 template <int R, int C = 1>
@@ -148,8 +159,11 @@ template <class Id, bool Bound, class Result, class... Arguments>
 struct Typed : Operation {
   template <class S>
   using Plain = typename Result::template of<S>(const typename Arguments::template of<S>&...);
+  /// A function that finds what it belongs to by itself is a plain pointer.
   template <class S>
-  using Function = std::conditional_t<Bound, std::function<Plain<S>>, Plain<S>*>;
+  using Function = std::conditional_t<Bound || std::is_same_v<S, Doubles>,
+                                      std::function<Plain<typename NumberOf<S>::type>>,
+                                      Plain<typename NumberOf<S>::type>*>;
 };
 
 struct Text {

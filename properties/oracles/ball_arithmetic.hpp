@@ -206,20 +206,10 @@ using DoubleBall = Ball<double>;
 using DoubleDoubleBall = Ball<DoubleDouble>;
 using RealBall = Ball<Real>;
 
-/// The ball types that check results in S, in the order in which they are tried. Their midpoints have at
-/// least twice the digits of S, and the exponent range of double.
-template <class S>
-struct BallTiers {
-  using type = std::tuple<>;
-};
-template <>
-struct BallTiers<float> {
-  using type = std::tuple<DoubleBall, DoubleDoubleBall>;
-};
-template <>
-struct BallTiers<double> {
-  using type = std::tuple<DoubleDoubleBall>;
-};
+/// The ball types that check results, in the order in which they are tried. Midpoints need at least twice the digits of
+/// the scalar, and have the exponent range of double: results in float are tried with both, those in double with the
+/// second only.
+using BallTiers = std::tuple<DoubleBall, DoubleDoubleBall>;
 
 /// x with r added to its radius.
 template <class M>

@@ -6,6 +6,7 @@
 // with a relative rounding error below 1e-14.
 
 #include <oracles/ball_oracles.hpp>
+#include <oracles/scalar.hpp>
 
 namespace liecheck::oracles {
 
@@ -50,10 +51,10 @@ Length length(const Mat<R, C, T>& v) {
   return {std::sqrt(square) / scale, r * (R * C)};
 }
 
-template <class S, int R, int C, BallNumber T>
-double vector_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
-  constexpr double eps = std::numeric_limits<S>::epsilon();
-  constexpr double floor = std::numeric_limits<S>::min() / eps;
+template <int R, int C, BallNumber T>
+double vector_error(const Scalar& s, const Mat<R, C, T>& computed, const Mat<R, C, T>& exact,
+                    const T& scale = T(0)) {
+  const double eps = s.epsilon, floor = s.least_denominator();
   const Length error = length(computed - exact), size = length(exact);
   const double given = scale.head() + scale.r, own = size.value;
   const double by = max(max(own, scale.head()), floor);
@@ -62,29 +63,28 @@ double vector_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, con
   return settled(in_eps, error.radius / by / eps + in_eps * relative_slack);
 }
 /// |distance| / eps.
-template <class S, BallNumber T>
-double in_eps(const T& distance) {
-  constexpr double eps = std::numeric_limits<S>::epsilon();
-  const double error = distance.size() / eps;
-  return settled(error, distance.r / eps + 1e-14 * error);
+template <BallNumber T>
+double in_eps(const Scalar& s, const T& distance) {
+  const double error = distance.size() / s.epsilon;
+  return settled(error, distance.r / s.epsilon + 1e-14 * error);
 }
 
-template <class S, BallNumber T>
-double rotation_error(const Quaternion<T>& computed, const Quaternion<T>& exact) {
+template <BallNumber T>
+double rotation_error(const Scalar& s, const Quaternion<T>& computed, const Quaternion<T>& exact) {
   const Quaternion<T> Q = normalized(computed);
   double along = 0;
   for (int i = 0; i < 4; ++i) along += Q[i].head() * exact[i].head();
   const Length d = length(along < 0 ? Q + exact : Q - exact);
-  constexpr double eps = std::numeric_limits<S>::epsilon();
+  const double eps = s.epsilon;
   return settled(2 * d.value / eps, 2 * d.radius / eps + 1e-14 * d.value / eps);
 }
 
-template <class S, BallNumber T>
-double norm_defect(const Quaternion<T>& computed) {
-  return in_eps<S>(squared_norm(computed) - T(1));
+template <BallNumber T>
+double norm_defect(const Scalar& s, const Quaternion<T>& computed) {
+  return in_eps(s, squared_norm(computed) - T(1));
 }
-template <class S, BallNumber T>
-double orthogonality_defect(const Mat3<T>& computed) {
+template <BallNumber T>
+double orthogonality_defect(const Scalar& s, const Mat3<T>& computed) {
   Mat3<T> D;
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) {
@@ -94,7 +94,7 @@ double orthogonality_defect(const Mat3<T>& computed) {
       D(j, i) = D(i, j);
     }
   const Length d = length(D);
-  constexpr double eps = std::numeric_limits<S>::epsilon();
+  const double eps = s.epsilon;
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
 
@@ -110,14 +110,14 @@ double orthogonality_defect(const Mat3<T>& computed) {
 ///
 /// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. The uncertainty
 /// of the defect is at most 2 (1 + ||E||) times that of E, plus the rounding in double.
-template <class S, BallNumber T>
-MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
-  constexpr double eps = std::numeric_limits<S>::epsilon();
+template <BallNumber T>
+MatrixErrors matrix_errors(const Scalar& s, const Mat3<T>& computed, const Quaternion<T>& exact) {
+  const double eps = s.epsilon;
   const Mat3<T> ball = rotation_matrix(exact), E_ball = computed - ball;
   const Length size = length(E_ball);
   const double E_bound = size.value + size.radius;
   if (!(E_bound < 1e-4))
-    return {rotation_error<S>(nearest_quaternion(computed), exact), orthogonality_defect<S>(computed)};
+    return {rotation_error(s, nearest_quaternion(computed), exact), orthogonality_defect(s, computed)};
   double R[3][3], E[3][3], across[3][3];  // across = R^T E
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) R[i][j] = ball(i, j).head(), E[i][j] = E_ball(i, j).head();
@@ -137,7 +137,7 @@ MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) 
   MatrixErrors errors{};
   errors.rotation = bound <= error_accuracy * max(sine, eps)
                         ? settled(sine / eps, bound / eps)
-                        : rotation_error<S>(nearest_quaternion(computed), exact);
+                        : rotation_error(s, nearest_quaternion(computed), exact);
   errors.defect = settled(defect / eps, (2 * (1 + E_bound) * size.radius + 1e-14 * size.value) / eps);
   return errors;
 }

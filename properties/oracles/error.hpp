@@ -1,5 +1,5 @@
 #pragma once
-// The distance of a computed value from the exact one, in eps of the scalar S that computed it.
+// The distance of a computed value from the exact one, in eps of the scalar that computed it.
 //
 // Computed values are passed as exact numbers (exact_vector, exact_matrix) after all_finite has returned
 // true. A NaN would still give infinity, so that it never passes a test. The rotation error of a matrix is
@@ -31,23 +31,10 @@ T two_to(int e) {
   else
     return ldexp(T(1), e);
 }
-/// eps of S, exactly. (numeric_limits<float128>::epsilon() of Boost 1.74 needs GNU extensions.)
-template <class S, class T = Real>
-const T& epsilon() {
-  static const T value = two_to<T>(1 - std::numeric_limits<S>::digits);
-  return value;
-}
-/// The smallest denominator, min_normal / eps: below it the last place of a number of S is subnormal.
-template <class S, class T = Real>
-const T& least_denominator() {
-  static const T value = two_to<T>(std::numeric_limits<S>::min_exponent + std::numeric_limits<S>::digits - 2);
-  return value;
-}
 
 /// distance / eps; infinity for NaN.
-template <class S>
-double in_eps(const Real& distance) {
-  const double e = static_cast<double>(Real(distance / epsilon<S>()));
+inline double in_eps(const Scalar& s, const Real& distance) {
+  const double e = static_cast<double>(Real(distance / Real(s.epsilon)));
   return e >= 0 ? e : std::numeric_limits<double>::infinity();
 }
 
@@ -70,35 +57,33 @@ bool all_finite(const M& m) {
 }
 
 /// `computed` is a quaternion or a matrix.
-template <class S, int R, int C>
-double rotation_error(const Mat<R, C>& computed, const Quaternion<>& exact) {
-  return in_eps<S>(rotation_distance(computed, exact));
+template <int R, int C>
+double rotation_error(const Scalar& s, const Mat<R, C>& computed, const Quaternion<>& exact) {
+  return in_eps(s, rotation_distance(computed, exact));
 }
-template <class S>
-double norm_defect(const Quaternion<>& computed) {
-  return in_eps<S>(norm_distance(computed));
+inline double norm_defect(const Scalar& s, const Quaternion<>& computed) {
+  return in_eps(s, norm_distance(computed));
 }
-template <class S>
-double orthogonality_defect(const Mat3<>& computed) {
-  return in_eps<S>(orthogonality_distance(computed));
+inline double orthogonality_defect(const Scalar& s, const Mat3<>& computed) {
+  return in_eps(s, orthogonality_distance(computed));
 }
 
-template <class S>
-MatrixErrors matrix_errors(const Mat3<>& computed, const Quaternion<>& exact) {
-  return {rotation_error<S>(computed, exact), orthogonality_defect<S>(computed)};
+inline MatrixErrors matrix_errors(const Scalar& s, const Mat3<>& computed, const Quaternion<>& exact) {
+  return {rotation_error(s, computed, exact), orthogonality_defect(s, computed)};
 }
 
 /// ||computed - exact|| / max(||exact||, scale, min_normal / eps), in eps, with Frobenius norms of matrices.
-template <class S, int R, int C>
-double vector_error(const Mat<R, C>& computed, const Mat<R, C>& exact, const Real& scale = Real(0)) {
+template <int R, int C>
+double vector_error(const Scalar& s, const Mat<R, C>& computed, const Mat<R, C>& exact,
+                    const Real& scale = Real(0)) {
   Real size = norm(exact);
   if (scale > size) size = scale;
-  if (least_denominator<S>() > size) size = least_denominator<S>();
-  return in_eps<S>(Real(norm(computed - exact) / size));
+  if (s.least_denominator() > size) size = s.least_denominator();
+  return in_eps(s, Real(norm(computed - exact) / size));
 }
-template <class S, class T>
-double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
-  return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
+template <class T>
+double scalar_error(const Scalar& s, const T& computed, const T& exact, const T& scale = T(0)) {
+  return vector_error(s, Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
 }
 
 struct TwistError {
@@ -107,11 +92,12 @@ struct TwistError {
 /// The errors of the two blocks of a log or difference. At theta = pi two values are exact, and the one
 /// nearer to the computed rotation vector is used. The linear block's denominator is at least linear_scale,
 /// which is ||p1 - p0|| for difference.
-template <class S, class T>
-TwistError log_error(const Vec6<T>& computed, const LogValue<T>& exact, const T& linear_scale = T(0)) {
+template <class T>
+TwistError log_error(const Scalar& s, const Vec6<T>& computed, const LogValue<T>& exact,
+                     const T& linear_scale = T(0)) {
   const auto against = [&](const Vec6<T>& value) -> TwistError {
-    return {vector_error<S>(head3(computed), head3(value), linear_scale),
-            vector_error<S>(tail3(computed), tail3(value))};
+    return {vector_error(s, head3(computed), head3(value), linear_scale),
+            vector_error(s, tail3(computed), tail3(value))};
   };
   const TwistError first = against(exact.value());
   if (!exact.at_pi) return first;

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <budgets/profile.hpp>
+#include <campaign/case_id.hpp>
 #include <campaign/digest.hpp>
 #include <campaign/robots.hpp>
-#include <campaign/typed_series.hpp>
+#include <invariants/property.hpp>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -19,48 +20,47 @@ std::string digest(const std::string& text) {
 }
 
 /// The bits of the first inputs of the law.
-template <class S>
-std::string inputs_of(const Property<S>& law) {
+std::string inputs_of(const Property& law) {
   constexpr std::uint64_t seed = 42, cases = 64;
   CaseId id;
-  id.seed = seed, id.property = law.name(), id.scalar = scalar_name<S>(), id.robot = "none";
+  id.seed = seed, id.property = law.name(), id.scalar = law.scalar().name, id.robot = "none";
   std::string bits;
   for (std::uint64_t i = 0; i < cases; ++i) {
     Source stream(CaseId::key_of(id.series_key(), i));
-    const std::vector<S> x = law.generate(stream);
-    bits.append(reinterpret_cast<const char*>(x.data()), x.size() * sizeof(S));
+    const std::vector<double> x = law.generate(stream);
+    law.scalar().with([&]<class S>() {
+      const std::vector<S> own = oracles::numbers_in<S>(x);
+      bits.append(reinterpret_cast<const char*>(own.data()), own.size() * sizeof(S));
+    });
   }
   return bits;
 }
 
-template <class S>
-void add_laws(std::map<std::string, std::string>& inputs) {
-  for (const auto& law : make_properties<S>()) {
+void add_laws(const oracles::Scalar& scalar, std::map<std::string, std::string>& inputs) {
+  for (const auto& law : make_properties(scalar)) {
     law->prepare(built_in_robot());
     inputs["law " + law->name()] += inputs_of(*law);
   }
 }
 
-template <class S>
-void add_limits(std::map<std::string, std::string>& parts) {
-  const double eps = std::numeric_limits<S>::epsilon();
+void add_limits(const oracles::Scalar& scalar, std::map<std::string, std::string>& parts) {
   for (const std::string& name : profile_names()) {
     std::string text;
-    for (const Budget& b : budgets("", *profile_named(name), eps))
+    for (const Budget& b : budgets("", *profile_named(name), scalar.epsilon))
       text +=
           fmt::format("{},{},{},{},{:a}\n", b.operation, b.block, b.region, b.rule == Rule::forward, b.limit);
-    parts[fmt::format("limits {} {}", name, scalar_name<S>())] = digest(text);
+    parts[fmt::format("limits {} {}", name, scalar.name)] = digest(text);
   }
 }
 
 Rules of_this_program() {
   Rules rules{"present", {}};
   std::map<std::string, std::string> inputs;
-  add_laws<float>(inputs);
-  add_laws<double>(inputs);
+  for (const oracles::Scalar* s : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    add_laws(*s, inputs);
   for (const auto& [law, bits] : inputs) rules.parts[law] = digest(bits);
-  add_limits<float>(rules.parts);
-  add_limits<double>(rules.parts);
+  for (const oracles::Scalar* s : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    add_limits(*s, rules.parts);
   for (const HardCase& c : built_in_corpus())
     rules.parts["hard case " + c.name] = digest(fmt::format(
         "{}|{}|{}|{}", c.input, c.hard_class, fmt::join(c.properties, " "), fmt::join(c.scalars, " ")));

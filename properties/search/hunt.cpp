@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <chrono>
 #include <search/mutations.hpp>
 #include <support/stop.hpp>
@@ -17,17 +17,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t islands = 4;
 constexpr double sampling_share = 0.2;  ///< part of the evaluations before the first climb
 
-template <class S>
 struct Elite {
   double score = -1;
-  std::vector<S> x;
+  std::vector<double> x;
 };
 
-template <class S>
-CaseId raw_id(const std::vector<S>& x) {
+CaseId raw_id(const std::vector<double>& x) {
   CaseId id;
   id.raw = true;
-  for (const S& v : x) id.input.push_back(hexadecimal_float(v));
+  for (const double v : x) id.input.push_back(hexadecimal_float(v));
   return id;
 }
 
@@ -39,26 +37,26 @@ double score_of(const Worst& w, const Judged& j) {
 }
 
 /// The archive of one output: the worst input of each band and island, and the worst of all.
-template <class S>
 struct Climb {
   Worst worst;
-  std::vector<S> x;
+  const Scalar* scalar;
+  std::vector<double> x;
   std::vector<std::pair<std::uint64_t, double>> history;
-  std::vector<std::array<Elite<S>, islands>> cells;
+  std::vector<std::array<Elite, islands>> cells;
 
   /// The worst input of three random cells or, with probability 1/3, of all cells.
-  const Elite<S>* pick(Source& source, std::size_t island) const {
-    const Elite<S>* best = nullptr;
+  const Elite* pick(Source& source, std::size_t island) const {
+    const Elite* best = nullptr;
     const bool all = source.chance(1, 3);
     for (std::size_t k = 0; k < (all ? cells.size() : 3); ++k) {
-      const Elite<S>& e = cells[all ? k : source.below(cells.size())][island];
+      const Elite& e = cells[all ? k : source.below(cells.size())][island];
       if (!e.x.empty() && (!best || e.score > best->score)) best = &e;
     }
     return best;
   }
 
   /// Stores the input if its measurement is the worst of its band and island, or of all.
-  void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
+  void take(const Judged& j, const std::vector<double>& input, std::size_t island, std::uint64_t evaluation) {
     // A refusal concerns the whole law, although it is recorded under one output.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
     if (j.residual.outcome == Outcome::outside_domain) return;
@@ -69,7 +67,7 @@ struct Climb {
     }
     const double score = score_of(worst, j);
     if (!(score >= 0)) return;
-    Elite<S>& e = cells[j.residual.band][island];
+    Elite& e = cells[j.residual.band][island];
     if (score >= e.score) e = {score, input};
     if (score > worst.score) {
       worst.score = score, worst.judged = j, worst.at = evaluation, x = input;
@@ -81,7 +79,7 @@ struct Climb {
   Worst summary() const {
     Worst w = worst;
     w.id = raw_id(x);
-    for (const S& v : x) w.decimal.push_back(decimal_float(v));
+    for (const double v : x) w.decimal.push_back(decimal_float(v, *scalar));
     for (const auto& [at, score] : history)
       if (score >= w.score / 2) {
         w.half_at = at;
@@ -92,9 +90,7 @@ struct Climb {
 };
 
 /// The outputs to search, each with the figure that is maximised.
-template <class S>
-std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions& options,
-                                 const Limits& limits) {
+std::vector<Worst> objectives_of(const Series& series, const HuntOptions& options, const Limits& limits) {
   std::vector<Worst> all;
   for (std::size_t i = 0; i < series.outputs.size(); ++i) {
     const Output& o = series.outputs[i];
@@ -107,20 +103,19 @@ std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions
   return all;
 }
 
-template <class S>
-HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
+HuntResult hunt_in(const Series& series, const HuntOptions& options) {
   // With `excess` every case is judged by error / kappa, whatever rule its budget has.
   static const Budget ratio{"", "", "any", Rule::excess, -1, ""};
   Limits limits = series.limits();
   if (options.excess)
     for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
-  const Property<S>& law = series.tested_law();
-  const Mutations<S> mutations(series.fields);
+  const Property& law = series.tested_law();
+  const Mutations mutations(series.fields, series.format());
   Source source(sha256(fmt::format("hunt.{}.{}.{}.{}.{}", options.seed, options.random, series.property,
                                    series.scalar, options.operation)));
-  std::vector<Climb<S>> climbs;
+  std::vector<Climb> climbs;
   for (const Worst& w : objectives_of(series, options, limits)) {
-    climbs.push_back({w, {}, {}, {}});
+    climbs.push_back({w, &series.format(), {}, {}, {}});
     climbs.back().cells.resize(series.bands().all().size());
   }
   HuntResult result;
@@ -128,20 +123,20 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
-  const auto evaluate = [&](const std::vector<S>& x, std::size_t island) {
+  const auto evaluate = [&](const std::vector<double>& x, std::size_t island) {
     ++result.evaluations;
     for (const Judged& j : series.measure(x, limits))
       if (!series.expected(j.residual.output, j.residual.band))
-        for (Climb<S>& c : climbs) c.take(j, x, island, result.evaluations);
+        for (Climb& c : climbs) c.take(j, x, island, result.evaluations);
   };
 
   double share = 0;
   for (std::uint64_t step = 0, attempts = 0; share < 1 && !stop_requested; ++step) {
     const std::size_t island = step % islands, target = step / islands % climbs.size();
-    std::vector<S> x;
-    const Elite<S>* from = options.random || share < sampling_share || source.chance(1, 50)
-                               ? nullptr
-                               : climbs[target].pick(source, island);
+    std::vector<double> x;
+    const Elite* from = options.random || share < sampling_share || source.chance(1, 50)
+                            ? nullptr
+                            : climbs[target].pick(source, island);
     if (from) {
       x = from->x;
       mutations.apply(x, law.generate(source), source);
@@ -167,14 +162,14 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
   }
   result.stopped = stop_requested;
   result.elapsed = elapsed();
-  for (Climb<S>& c : climbs) result.worst.push_back(c.summary());
+  for (Climb& c : climbs) result.worst.push_back(c.summary());
   return result;
 }
 
 }  // namespace
 
 HuntResult hunt(const Series& series, const HuntOptions& options) {
-  HuntResult result = with_scalar(series, [&](const auto& typed) { return hunt_in(typed, options); });
+  HuntResult result = hunt_in(series, options);
   for (Worst& w : result.worst)
     for (CaseId* id : {&w.id, &w.first_broken_id, &w.first_open_id})
       id->property = series.property, id->subject = series.subject, id->scalar = series.scalar,

@@ -10,10 +10,11 @@
 
 namespace liecheck::properties {
 
+/// Mutations of numbers of the scalar S.
 template <class S>
-class Mutations {
+class TypedMutations {
  public:
-  explicit Mutations(const std::vector<Field>& fields) {
+  explicit TypedMutations(const std::vector<Field>& fields) {
     std::size_t from = 0;
     for (const Field& f : fields) {
       groups_.push_back({f.kind, from, static_cast<std::size_t>(f.size)});
@@ -308,6 +309,39 @@ class Mutations {
   }
 
   std::vector<Group> groups_;
+};
+
+/// The same for numbers of a scalar, as doubles.
+class Mutations {
+ public:
+  Mutations(const std::vector<Field>& fields, const oracles::Scalar& scalar)
+      : scalar_(scalar), in_float_(fields), in_double_(fields) {}
+  void apply(std::vector<double>& x, const std::vector<double>& other, Source& source) const {
+    changed(x, [&]<class S>(const auto& mutations, std::vector<S>& numbers) {
+      mutations.apply(numbers, oracles::numbers_in<S>(other), source);
+    });
+  }
+  void uniform(std::vector<double>& x, Source& source) const {
+    changed(x, [&]<class S>(const auto& mutations, std::vector<S>& numbers) {
+      mutations.uniform(numbers, source);
+    });
+  }
+
+ private:
+  template <class F>
+  void changed(std::vector<double>& x, const F& change) const {
+    scalar_.with([&]<class S>() {
+      std::vector<S> numbers = oracles::numbers_in<S>(x);
+      if constexpr (std::is_same_v<S, float>)
+        change(in_float_, numbers);
+      else
+        change(in_double_, numbers);
+      x = oracles::as_doubles(numbers);
+    });
+  }
+  const oracles::Scalar& scalar_;
+  TypedMutations<float> in_float_;
+  TypedMutations<double> in_double_;
 };
 
 }  // namespace liecheck::properties

@@ -64,8 +64,8 @@ struct Batch {
     return o;
   }
 
-  static Subject<S> make() {
-    Subject<S> s{"liecheck:batch", LIECHECK_VERSION, {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"liecheck:batch", LIECHECK_VERSION, {}};
     auto& o = s.operations;
     o.check_quaternion = [](const Vec<S, 4>& Q) { checkedQuaternion<S>(Q); };
     o[op::exp3_quaternion] = [](const Vec<S, 3>& phi) -> Vec<S, 4> {

@@ -1,6 +1,6 @@
 // Subject "ceres": rotation.h of Ceres Solver. Its quaternions store w first; this file reorders them.
 
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #if __has_include(<ceres/rotation.h>)
 
@@ -46,8 +46,8 @@ struct CeresRotation : Types<S> {
     return y;
   }
 
-  static Subject<S> make() {
-    Subject<S> s{"ceres", CERES_VERSION_STRING, {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"ceres", CERES_VERSION_STRING, {}};
     s.operations[op::exp3_quaternion] = exp3_quaternion;
     s.operations[op::exp3_matrix] = exp3_matrix;
     s.operations[op::log3_quaternion] = log3_quaternion;

@@ -2,7 +2,7 @@
 // Subject "eigen": Eigen's Geometry module, and the matrix exponential and logarithm of MatrixFunctions.
 // eigen_float.cpp and eigen_double.cpp compile it, because these functions need much time and memory.
 
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -98,8 +98,8 @@ struct EigenGeometry : Types<S> {
   static V4 euler_to_quaternion(const S& order, const V3& x) { return euler(order, x).coeffs(); }
   static M3 euler_to_matrix(const S& order, const V3& x) { return euler(order, x).toRotationMatrix(); }
 
-  static Subject<S> make() {
-    Subject<S> s;
+  static TypedSubject<S> make() {
+    TypedSubject<S> s;
     s.name = "eigen";
     s.version = fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
     s.operations[op::exp3_quaternion] = exp3_quaternion;

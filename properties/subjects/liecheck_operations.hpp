@@ -3,7 +3,7 @@
 // few scalars, because gcc inlines less in a large file.
 
 #include <boost/multiprecision/eigen.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #include <liecheck/multibody/coefficient_rate.hpp>
 #include <liecheck/multibody/se2.hpp>
@@ -20,7 +20,7 @@ namespace liecheck::properties {
 
 template <class S, Precision P = Precision::standard>
 struct LiecheckOperations : Types<S> {
-  using O = Operations<S>;
+  using O = TypedOperations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
   using T = Pose<S>;
@@ -28,9 +28,9 @@ struct LiecheckOperations : Types<S> {
   using Motion = liecheck::Motion<S>;
   using Force = liecheck::Force<S>;
 
-  static Subject<S> make() {
+  static TypedSubject<S> make() {
     constexpr bool fast = P == Precision::fast, tight = P == Precision::tight;
-    Subject<S> s{fast ? "liecheck:fast" : tight ? "liecheck:tight" : "liecheck", LIECHECK_VERSION, {}};
+    TypedSubject<S> s{fast ? "liecheck:fast" : tight ? "liecheck:tight" : "liecheck", LIECHECK_VERSION, {}};
     add_exp_log_and_jacobians(s.operations);
     add_configurations(s.operations);
     if constexpr (P != Precision::tight) {

@@ -42,8 +42,8 @@ RobotOperations<S> liecheck_robot(const std::string& urdf, bool fixed) {
 }
 
 template <class S>
-Subject<S> liecheck_with_robots(decltype(Operations<S>::tree) tree = nullptr) {
-  Subject<S> s = LiecheckOperations<S>::make();
+TypedSubject<S> liecheck_with_robots(decltype(TypedOperations<S>::tree) tree = nullptr) {
+  TypedSubject<S> s = LiecheckOperations<S>::make();
   s.operations.robot = &liecheck_robot<S>, s.operations.tree = std::move(tree);
   return s;
 }

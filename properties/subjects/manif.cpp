@@ -5,7 +5,7 @@
 #include <manif/SE3.h>
 #include <manif/SO3.h>
 #include <subjects/own_programs.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -22,8 +22,8 @@ struct Manif : Types<S> {
   static SE3 configuration(const V7& q) { return SE3(q); }
   static Pose<S> stored(const SE3& X) { return {X.rotation(), X.translation()}; }
 
-  static Subject<S> make() {
-    Subject<S> s{"manif", "headers", {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"manif", "headers", {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return T3(phi).exp().quat().coeffs(); };
     o[op::exp3_matrix] = [](const V3& phi) -> M3 { return T3(phi).exp().rotation(); };

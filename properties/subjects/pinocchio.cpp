@@ -10,7 +10,7 @@
 #include <pinocchio/spatial/force.hpp>
 #include <pinocchio/spatial/motion.hpp>
 #include <subjects/own_programs.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -38,8 +38,8 @@ struct Pinocchio : Types<S> {
     return r;
   }
 
-  static Subject<S> make() {
-    Subject<S> s{"pinocchio", PINOCCHIO_VERSION, {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"pinocchio", PINOCCHIO_VERSION, {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
       Quaternion q;

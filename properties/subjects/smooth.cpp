@@ -1,6 +1,6 @@
 // Subject "smooth": so3.hpp and se3.hpp. Its tangent vectors are (v, w); it stores poses as [x y z, x y z w].
 
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #if __has_include(<smooth/se3.hpp>)
 
@@ -23,8 +23,8 @@ struct Smooth {
     return X;
   }
 
-  static Subject<S> make() {
-    Subject<S> s{"smooth", "headers", {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"smooth", "headers", {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
     o[op::exp3_matrix] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };

@@ -6,7 +6,7 @@
 #include <sophus/se3.hpp>
 #include <stdexcept>
 #include <subjects/own_programs.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace Sophus {
 void ensureFailed(char const* function, char const*, int, char const* description) {
@@ -28,8 +28,8 @@ struct SophusGroups : Types<S> {
   static SE3 configuration(const V7& q) { return {rotation(q.template tail<4>()), q.template head<3>()}; }
   static Pose<S> stored(const SE3& X) { return {X.rotationMatrix(), X.translation()}; }
 
-  static Subject<S> make() {
-    Subject<S> s{"sophus", "headers", {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{"sophus", "headers", {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return SO3::exp(phi).unit_quaternion().coeffs(); };
     o[op::exp3_matrix] = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };

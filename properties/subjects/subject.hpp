@@ -1,64 +1,45 @@
 #pragma once
-// A subject is a library under test in one scalar, given by the functions that it offers.
-//
-// To add a subject, write one file: fill the slots of an Operations<S>, such as o[op::exp6] = ..., and
-// register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
-// operations/ defines the arguments and results of each operation. The subject's file converts them to the
-// conventions of its library.
+// A subject is a library under test in one scalar, given by the functions that it offers. The harness calls them with
+// doubles, whatever the scalar is: typed.hpp says how a library's own functions are registered.
 
 #include <functional>
 #include <operations/operations.hpp>
+#include <oracles/scalar.hpp>
 #include <string>
 #include <vector>
 
 namespace liecheck::properties {
 
+using oracles::Scalar;
+
 template <class S>
 struct Tree;  // tree.hpp
 
-/// Short names of types, for the classes that define subjects.
-template <class S>
-struct Types {
-  using V3 = Vec<S, 3>;
-  using V4 = Vec<S, 4>;
-  using V6 = Vec<S, 6>;
-  using V7 = Vec<S, 7>;
-  using M3 = Mat<S, 3>;
-  using M6 = Mat<S, 6>;
-};
-
-/// o[op::exp6] is the subject's function for exp6, or null if it has none.
-template <class S>
-struct Operations : SpatialSlots<S>, Types<S> {
+/// o[op::exp6] is the subject's function for exp6, or null if it has none. An argument is rounded to the scalar, and a
+/// result is exactly what the library returned.
+struct Operations : SpatialSlots<Doubles> {
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
-  void (*check_quaternion)(const Vec<S, 4>& Q) = nullptr;
-  void (*check_rotation)(const Mat<S, 3>& R) = nullptr;
+  std::function<void(const Vec<double, 4>& Q)> check_quaternion;
+  std::function<void(const Mat<double, 3>& R)> check_rotation;
 
   /// Reads a URDF and returns the operations on configurations of this robot. If `fixed`, the root is welded
   /// to the world; otherwise it is a free-flyer.
-  RobotOperations<S> (*robot)(const std::string& urdf_text, bool fixed) = nullptr;
+  std::function<RobotOperations<double>(const std::string& urdf_text, bool fixed)> robot;
 
   /// Builds a tree of bodies and returns the algorithms on it.
-  std::function<TreeOperations<S>(const Tree<S>& tree)> tree;
+  std::function<TreeOperations<double>(const Tree<double>& tree)> tree;
 };
 
-template <class S>
 struct Subject {
   std::string name;
   std::string version;
-  Operations<S> operations;
   std::string adapter = {};  ///< how the user gave it with --adapter, or "" for one of the program
+  const Scalar* scalar = nullptr;
+  Operations operations = {};
 };
 
 /// Every subject in this scalar, in alphabetical order.
-template <class S>
-std::vector<const Subject<S>*> subjects();
-
-/// A static object of this type registers a subject.
-template <class S>
-struct Registered {
-  explicit Registered(Subject<S> subject);
-};
+std::vector<const Subject*> subjects(const Scalar& scalar);
 
 /// Names of the optional libraries that the build did not find. The file of such a subject registers nothing.
 /// registry.cpp lists the optional libraries.

@@ -1,7 +1,7 @@
 #pragma once
 // The closed forms as books print them, with one cutoff, 1e-8, for every scalar.
 
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -233,8 +233,7 @@ struct Textbook : Types<S> {
           atan2(-sign * M(i, j), M(i, i));
     if (o.rotating) return x;
     // The middle angle of a proper sequence stays positive.
-    return o.i == o.k ? V3(atan2(M(j, i), sign * M(k, i)), x[1], atan2(M(i, j), -sign * M(i, k)))
-                      : V3(-x);
+    return o.i == o.k ? V3(atan2(M(j, i), sign * M(k, i)), x[1], atan2(M(i, j), -sign * M(i, k))) : V3(-x);
   }
   V7 velocity_to_rate(const V7& q, const V6& V) const {
     V4 omega;
@@ -277,10 +276,10 @@ struct Textbook : Types<S> {
   };
 
   template <int exponent, bool is_variant>
-  static Subject<S> make() {
-    Subject<S> s{is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook",
-                 "cutoff 1e-" + std::to_string(exponent),
-                 {}};
+  static TypedSubject<S> make() {
+    TypedSubject<S> s{is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook",
+                      "cutoff 1e-" + std::to_string(exponent),
+                      {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = At<&Textbook::exp3_quaternion, exponent>::call;
     o[op::exp3_matrix] = At<&Textbook::exp3_matrix, exponent>::call;

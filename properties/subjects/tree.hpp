@@ -4,7 +4,7 @@
 // the origin of that joint's frame.
 
 #include <oracles/tree.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <subjects/urdf_model.hpp>
 
 namespace liecheck::properties {

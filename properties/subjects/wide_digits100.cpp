@@ -6,7 +6,7 @@
 namespace liecheck::properties {
 
 template <>
-Operations<Digits100> wide_scalar_operations() {
+TypedOperations<Digits100> wide_scalar_operations() {
   return LiecheckOperations<Digits100>::make().operations;
 }
 

@@ -6,7 +6,7 @@
 namespace liecheck::properties {
 
 template <>
-Operations<Digits50> wide_scalar_operations() {
+TypedOperations<Digits50> wide_scalar_operations() {
   return LiecheckOperations<Digits50>::make().operations;
 }
 

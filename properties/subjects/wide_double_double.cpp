@@ -8,7 +8,7 @@
 namespace liecheck::properties {
 
 template <>
-Operations<dd_real> wide_scalar_operations() {
+TypedOperations<dd_real> wide_scalar_operations() {
   return LiecheckOperations<dd_real>::make().operations;
 }
 

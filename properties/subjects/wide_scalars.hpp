@@ -2,7 +2,7 @@
 // The library's operations in the wide scalars that `liecheck cost` times.
 
 #include <oracles/real.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
 
@@ -22,6 +22,6 @@ using Digits100 = oracles::Real100;
 
 /// The operations that need no robot, in float128, Digits50, Digits100 and, if QD is installed, dd_real.
 template <class S>
-Operations<S> wide_scalar_operations();
+TypedOperations<S> wide_scalar_operations();
 
 }  // namespace liecheck::properties

@@ -18,7 +18,8 @@ namespace liecheck::properties {
 template <class S, class Hook>
 class Wrapped {
  public:
-  Wrapped(const Operations<S>& base, Hook hook) : base_(base), operations_(base), hook_(std::move(hook)) {
+  Wrapped(const TypedOperations<S>& base, Hook hook)
+      : base_(base), operations_(base), hook_(std::move(hook)) {
     redirect(operations_);
     if (base.robot)
       operations_.robot = [](const std::string& urdf, bool fixed) {
@@ -32,7 +33,7 @@ class Wrapped {
   Wrapped& operator=(const Wrapped&) = delete;
 
   /// May be copied, but not used after this Wrapped is gone.
-  const Operations<S>& operations() const { return operations_; }
+  const TypedOperations<S>& operations() const { return operations_; }
   const Hook& hook() const { return hook_; }
 
   /// While it exists, the plain functions called on this thread belong to `wrapped`.
@@ -91,7 +92,7 @@ class Wrapped {
     return slots;
   }
 
-  Operations<S> base_, operations_;
+  TypedOperations<S> base_, operations_;
   Hook hook_;
 };
 

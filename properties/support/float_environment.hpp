@@ -64,7 +64,7 @@ class FloatEnvironment {
   unsigned control_;
 };
 
-/// The mode in which checked calls of subjects run (campaign/call_checks.hpp). Written before threads start.
+/// The mode in which checked calls of subjects run (subjects/call_log.hpp). Written before threads start.
 inline FloatMode mode_of_calls;
 
 /// What is unusual in the arithmetic of this thread, as the arithmetic itself shows, in words; or "".

@@ -47,8 +47,8 @@ class FieldPositions {
 };
 
 /// The first law, by name, that measures the operation on its own arguments; null if there is none.
-template <class S>
-const Property<S>* law_of(const Operation& operation, const std::vector<std::unique_ptr<Property<S>>>& laws) {
+inline const Property* law_of(const Operation& operation,
+                              const std::vector<std::unique_ptr<Property>>& laws) {
   for (const auto& law : laws)
     for (const Output& o : law->outputs())
       if (o.record == &operation && FieldPositions(law->fields()).has_arguments_of(operation))

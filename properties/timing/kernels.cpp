@@ -30,13 +30,13 @@ bool has_kernels(const std::filesystem::path& folder) {
   return !modules_of(folder).empty();
 }
 
-std::vector<Subject<double>> load_kernels(const std::filesystem::path& folder) {
+std::vector<TypedSubject<double>> load_kernels(const std::filesystem::path& folder) {
   auto modules = modules_of(folder);
   if (modules.empty())
     throw std::runtime_error(
         fmt::format("--flags: {} has no modules: build the target kernels", folder.string()));
   std::sort(modules.begin(), modules.end());
-  std::vector<Subject<double>> all;
+  std::vector<TypedSubject<double>> all;
   for (const auto& path : modules) {
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) throw std::runtime_error(::dlerror());  // names the file

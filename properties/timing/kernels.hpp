@@ -8,20 +8,20 @@
 
 #include <array>
 #include <filesystem>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 
 struct Kernels {
   const char* flags;
   std::array<std::size_t, 5> layout;  ///< kernels_layout() of the module
-  const Operations<double>* operations;
+  const TypedOperations<double>* operations;
 };
 
 /// Sizes and alignments of the types that program and module share.
 constexpr std::array<std::size_t, 5> kernels_layout() {
   return {alignof(Vec<double, 4>), alignof(Mat<double, 6>), alignof(Pose<double>), sizeof(Pose<double>),
-          sizeof(Operations<double>)};
+          sizeof(TypedOperations<double>)};
 }
 
 /// The folder `kernels` next to the folder of the running program.
@@ -33,6 +33,6 @@ bool has_kernels(const std::filesystem::path& folder = kernels_folder());
 /// Loads the modules of the folder. Returns a subject for each, in alphabetical order, with a name such as
 /// "liecheck@gcc-O2" and the flags as its version. Throws std::runtime_error naming a folder without modules,
 /// or a module that cannot be loaded or was built with other type layouts.
-std::vector<Subject<double>> load_kernels(const std::filesystem::path& folder = kernels_folder());
+std::vector<TypedSubject<double>> load_kernels(const std::filesystem::path& folder = kernels_folder());
 
 }  // namespace liecheck::properties

@@ -34,36 +34,39 @@ namespace {
 
 /// The selected subjects; by default those of a campaign and liecheck's variants.
 template <class S>
-std::vector<const Subject<S>*> subjects_of(const CostPlan& plan) {
-  std::vector<const Subject<S>*> all;
-  for (const Subject<S>* s : subjects<S>())
+std::vector<const TypedSubject<S>*> subjects_of(const CostPlan& plan) {
+  std::vector<const TypedSubject<S>*> all;
+  for (const TypedSubject<S>* s : typed_subjects<S>())
     if (plan.options.subjects.empty()
             ? s->name.find(':') == std::string::npos || s->name.rfind("liecheck:", 0) == 0
             : plan.wants(plan.options.subjects, s->name))
       all.push_back(s);
   if constexpr (std::is_same_v<S, double>)
     if (plan.options.flags) {
-      static const std::vector<Subject<double>> kernels = load_kernels();
-      for (const Subject<double>& s : kernels) all.push_back(&s);
+      static const std::vector<TypedSubject<double>> kernels = load_kernels();
+      for (const TypedSubject<double>& s : kernels) all.push_back(&s);
     }
   return all;
 }
 
-using Laws = std::vector<std::unique_ptr<Property<double>>>;
+using Laws = std::vector<std::unique_ptr<Property>>;
 
 template <class S>
 void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
   if (!plan.wants(plan.options.scalars, scalar)) return;
-  std::map<std::string, std::unique_ptr<Property<S>>> laws_in_S;
-  for (auto& law : make_properties<S>()) laws_in_S.emplace(law->name(), std::move(law));
+  std::map<std::string, std::shared_ptr<Property>> own_laws;
+  for (auto& law : make_properties(oracles::scalar_of<S>)) own_laws.emplace(law->name(), std::move(law));
   add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()),
                       subjects_of<S>(plan), plan.options.inputs_per_band, true, laws,
-                      [&](const Operation& operation, const Property<double>& law, const Subject<S>& subject,
+                      [&](const Operation& operation, const Property& law, const TypedSubject<S>& subject,
                           const Signature&, AnyFunction) -> Score<S> {
-                        Subject<S> only;
+                        TypedSubject<S> only;
                         only.operations.take(operation, subject.operations);
-                        return [only, &operation, &law = *laws_in_S.at(law.name())](const auto& inputs) {
-                          return score(law, operation, only, inputs);
+                        return [only = erased(only), &operation,
+                                law = own_laws.at(law.name())](const auto& inputs) {
+                          std::vector<std::vector<double>> numbers;
+                          for (const auto& x : inputs) numbers.push_back(oracles::as_doubles<S>(x));
+                          return score(*law, operation, only, numbers);
                         };
                       });
 }
@@ -80,7 +83,7 @@ void check_known(const std::vector<std::string>& given, const std::vector<std::s
 
 std::vector<std::string> cost_operations() {
   std::vector<std::string> all;
-  const Laws laws = make_properties<double>();
+  const Laws laws = make_properties(oracles::scalar_of<double>);
   SpatialSlots<double>::for_each([&](const Operation& operation) {
     if (law_of(operation, laws)) all.emplace_back(operation.name);
   });
@@ -89,8 +92,8 @@ std::vector<std::string> cost_operations() {
 
 std::vector<std::string> cost_subjects() {
   std::set<std::string> names;
-  for (const auto* s : subjects<float>()) names.insert(s->name);
-  for (const auto* s : subjects<double>()) names.insert(s->name);
+  for (const auto* s : typed_subjects<float>()) names.insert(s->name);
+  for (const auto* s : typed_subjects<double>()) names.insert(s->name);
   return {names.begin(), names.end()};
 }
 
@@ -102,7 +105,7 @@ CostPlan plan_of(const CostOptions& options, bool scored) {
   check_known(options.subjects, cost_subjects(), "--subject", "subject");
   check_known(options.scalars, cost_scalars(), "--scalar", "scalar");
   CostPlan plan{options, scored, {}, {}};
-  const Laws laws = make_properties<double>();
+  const Laws laws = make_properties(oracles::scalar_of<double>);
   add_scalar<float>(plan, "float", laws);
   add_scalar<double>(plan, "double", laws);
   add_tiers(plan, laws);

@@ -10,7 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <timing/arguments.hpp>
 #include <timing/batches.hpp>
 #include <timing/benchmarks.hpp>
@@ -93,7 +93,7 @@ inline std::vector<std::vector<double>> encoded(const conventions::Order& order,
 /// Adds the row of one operation for each subject that offers it. With `bands`, it also times each band.
 template <class Input>
 void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
-                        const Property<double>& law, const Operation& operation,
+                        const Property& law, const Operation& operation,
                         const std::vector<Offered<Input>>& all) {
   const std::vector<Field> fields = law.fields();
   const auto inputs = cost_inputs<Input>(fields, plan.options.seed, each);
@@ -143,17 +143,17 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
 /// Score of a function.
 template <class S, class Input, class MakeScore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
-                   const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
-                   const std::vector<std::unique_ptr<Property<double>>>& laws, const MakeScore& score) {
+                   const std::vector<const TypedSubject<S>*>& subjects, std::size_t each, bool bands,
+                   const std::vector<std::unique_ptr<Property>>& laws, const MakeScore& score) {
   const auto add = [&](const Operation& operation, const Signature& signature,
                        const std::vector<AnyFunction>& functions) {
-    const Property<double>* law = law_of(operation, laws);
+    const Property* law = law_of(operation, laws);
     const std::string name(operation.name);
     if (!law || plan.stopped() || !plan.wants(plan.options.operations, name)) return;
     std::vector<Offered<Input>> offered;
     for (std::size_t i = 0; i < subjects.size(); ++i)
       if (const AnyFunction f = functions[i]) {
-        const Subject<S>& subject = *subjects[i];
+        const TypedSubject<S>& subject = *subjects[i];
         Signature own = signature;
         AnyFunction timed = f;
         conventions::Order order;
@@ -179,7 +179,7 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
   };
   SpatialSlots<S>::for_each([&]<class Op>(const Op& operation) {
     std::vector<AnyFunction> functions;
-    for (const Subject<S>* s : subjects)
+    for (const TypedSubject<S>* s : subjects)
       functions.push_back(reinterpret_cast<AnyFunction>(s->operations[operation]));
     add(operation, signature_of<S>(typename Op::template Function<S>(nullptr)), functions);
   });
@@ -187,6 +187,6 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
 
 /// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is
 /// installed), float128, and 50 and 100 digits (MPFR).
-void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws);
+void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws);
 
 }  // namespace liecheck::properties

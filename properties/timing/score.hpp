@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <invariants/property.hpp>
+#include <optional>
 #include <oracles/ball_arithmetic.hpp>
 #include <timing/cost.hpp>
 
@@ -11,8 +12,8 @@ namespace liecheck::properties {
 /// Collects the errors and outcomes that a law records for one operation.
 class BlockCollector final : public Recorder {
  public:
-  BlockCollector(const std::vector<Output>& outputs, const Operation& operation) {
-    for (const Output& o : outputs)
+  BlockCollector(const Property& law, const Operation& operation) : Recorder(law.scalar()) {
+    for (const Output& o : law.outputs())
       if (o.record == &operation)
         measured_.push_back(o.definition), blocks.push_back({std::string(o.block), {}});
   }
@@ -45,18 +46,17 @@ class BlockCollector final : public Recorder {
 
 /// `subject` must offer only this operation, so that nothing else is measured. Errors are measured by ball
 /// arithmetic or, if that is undecided, with 50 and 100 digits.
-template <class S>
-std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation, const Subject<S>& subject,
-                               const std::vector<std::vector<S>>& inputs) {
-  BlockCollector all(law.outputs(), operation);
+inline std::vector<BlockErrors> score(const Property& law, const Operation& operation, const Subject& subject,
+                                      const std::vector<std::vector<double>>& inputs) {
+  BlockCollector all(law, operation);
   for (const auto& x : inputs) {
-    BlockCollector one(law.outputs(), operation);
+    std::optional<BlockCollector> one;
     try {
       // Tries the tiers of ball arithmetic, the cheapest first, until one decides.
       for (std::size_t tier = 0;; ++tier) {
-        one = BlockCollector(law.outputs(), operation);
+        one.emplace(law, operation);
         try {
-          if (!law.measure_fast(subject, x, one, tier)) law.measure(subject, x, one);
+          if (!law.measure_fast(subject, x, *one, tier)) law.measure(subject, x, *one);
           break;
         } catch (const oracles::Undecided&) {
         }
@@ -65,7 +65,7 @@ std::vector<BlockErrors> score(const Property<S>& law, const Operation& operatio
       all.refused();
       continue;
     }
-    merge_blocks(all.blocks, one.blocks);
+    merge_blocks(all.blocks, one->blocks);
   }
   return std::move(all.blocks);
 }

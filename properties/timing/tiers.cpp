@@ -7,7 +7,7 @@ namespace liecheck::properties {
 namespace {
 
 /// The errors of a function on arguments that are doubles, which its scalar holds exactly.
-Score<double> wide_score(const Operation& operation, const Property<double>& law, const Signature& signature,
+Score<double> wide_score(const Operation& operation, const Property& law, const Signature& signature,
                          AnyFunction f, double eps) {
   return [&operation, fields = law.fields(), signature, f, eps](const auto& inputs) {
     std::vector<BlockErrors> blocks;
@@ -23,14 +23,14 @@ Score<double> wide_score(const Operation& operation, const Property<double>& law
 
 template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, std::size_t each,
-              const std::vector<std::unique_ptr<Property<double>>>& laws) {
+              const std::vector<std::unique_ptr<Property>>& laws) {
   if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
-  static const Subject<T> library{"liecheck", LIECHECK_VERSION, wide_scalar_operations<T>()};
+  static const TypedSubject<T> library{"liecheck", LIECHECK_VERSION, wide_scalar_operations<T>()};
   const double eps = std::ldexp(1.0, 1 - std::numeric_limits<T>::digits);
-  add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, laws,
-                           [&](const Operation& operation, const Property<double>& law, const Subject<T>&,
-                               const Signature& signature,
-                               AnyFunction f) { return wide_score(operation, law, signature, f, eps); });
+  add_cost_rows<T, double>(
+      plan, scalar, eps, {&library}, each, false, laws,
+      [&](const Operation& operation, const Property& law, const TypedSubject<T>&, const Signature& signature,
+          AnyFunction f) { return wide_score(operation, law, signature, f, eps); });
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ const std::vector<std::string>& cost_scalars() {
   return all;
 }
 
-void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws) {
+void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws) {
   // Fewer inputs than in double, because a call takes a hundred or a thousand times as long.
   const std::size_t few = std::max<std::size_t>(1, plan.options.inputs_per_band / 32),
                     fewer = std::max<std::size_t>(1, plan.options.inputs_per_band / 64);

@@ -171,7 +171,7 @@ TEST(Rooms, ForbiddenIncludesAreFound) {
     return violations(path, "#pragma once\n#include <" + std::string(include) + ">\n").size();
   };
   EXPECT_EQ(count("properties/oracles/a.cpp", "liecheck/spatial/se3.hpp"), 1u);
-  EXPECT_EQ(count("properties/oracles/a.cpp", "subjects/subject.hpp"), 1u);
+  EXPECT_EQ(count("properties/oracles/a.cpp", "subjects/typed.hpp"), 1u);
   EXPECT_EQ(count("properties/campaign/a.cpp", "store/store.hpp"), 1u);
   EXPECT_EQ(count("properties/campaign/a.cpp", "reports/report.hpp"), 1u);
   EXPECT_EQ(count("properties/record/a.cpp", "app/command.hpp"), 1u);

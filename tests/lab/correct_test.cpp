@@ -39,9 +39,9 @@ std::map<std::string, Needs> campaign(const Selection& selection) {
 
 template <class S>
 void expect_eight_of_each() {
-  Operations<S>::for_each([](const auto& operation) {
-    const auto all = subjects<S>();
-    const auto offers = [&](const Subject<S>* s) {
+  TypedOperations<S>::for_each([](const auto& operation) {
+    const auto all = typed_subjects<S>();
+    const auto offers = [&](const TypedSubject<S>* s) {
       return s->name.starts_with("correct:") && s->operations[operation] != nullptr;
     };
     EXPECT_GE(std::ranges::count_if(all, offers), 8) << operation.name;
@@ -149,10 +149,10 @@ TEST(Limits, NeedsCountEveryConditionNumber) {
 
 // Near theta = pi: logarithms with the opposite axis and the angle 2 pi - theta.
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 
 const O& liecheck_itself() {
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
 }
@@ -163,9 +163,9 @@ O::V6 flipped(const O::V6& xi) {
   const O::V3 phi = flipped(O::V3(xi.tail<3>())), p = liecheck_itself()[op::exp6](xi).p;
   return (O::V6() << liecheck_itself()[op::left_jacobian3_inverse](phi) * p, phi).finished();
 }
-const Subject<double>& other_side() {
-  static const Subject<double> subject = [] {
-    Subject<double> s{"other_side", "", {}};
+const TypedSubject<double>& other_side() {
+  static const TypedSubject<double> subject = [] {
+    TypedSubject<double> s{"other_side", "", {}};
     O& o = s.operations;
     o[op::log3_quaternion] = [](const O::V4& Q) {
       return flipped(liecheck_itself()[op::log3_quaternion](Q));

@@ -15,7 +15,7 @@
 namespace liecheck::properties {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 using V3 = O::V3;
 using V4 = O::V4;
 using V6 = O::V6;
@@ -23,13 +23,13 @@ using V7 = O::V7;
 using M6 = O::M6;
 
 const O& own() {
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
 }
 
-Subject<double> planted(const std::string& name, void (*plant)(O&)) {
-  Subject<double> s;
+TypedSubject<double> planted(const std::string& name, void (*plant)(O&)) {
+  TypedSubject<double> s;
   s.name = "planted_" + name;
   plant(s.operations);
   return s;
@@ -251,7 +251,7 @@ TEST(Planted, EveryLawOfTreesCatchesAKnownBugAndPassesWithoutIt) {
   for (const auto& p : property_names()) {
     if (!is_tree_law(p)) continue;
     bool caught = false;
-    for (const auto* s : subjects<double>())
+    for (const auto* s : typed_subjects<double>())
       caught = caught || (s->name.starts_with("bug:tree_") && run(s->name, p, 100).failed);
     EXPECT_TRUE(caught) << p;
     EXPECT_FALSE(run("liecheck", p, 100).failed) << p;

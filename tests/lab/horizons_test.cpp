@@ -8,7 +8,7 @@
 #include <horizons/scene_horizons.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 #include <support/file_lock.hpp>
 #include <support/files.hpp>
 #include <support/stop.hpp>
@@ -18,17 +18,17 @@
 namespace liecheck::properties {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 
 const O& good() {
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
 }
 
 /// integrate with an error of 2^-40 in the angle of each call, always to the same side, or with a norm that grows.
 const Registered<double> drifts([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "horizon:drifts";
   s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
     O::V6 more = d;
@@ -38,7 +38,7 @@ const Registered<double> drifts([] {
   return s;
 }());
 const Registered<double> grows([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "horizon:grows";
   s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
     O::V7 next = good()[op::integrate](q, d);
@@ -50,7 +50,7 @@ const Registered<double> grows([] {
 
 /// integrate that returns NaN from some rotation on.
 const Registered<double> gives_nan([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "horizon:nan";
   s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
     O::V7 next = good()[op::integrate](q, d);

@@ -23,8 +23,8 @@ TEST(KnownBugs, AreAtLeastFortyWithTenLookAlikesAndAllStateTheirOrigin) {
 }
 
 TEST(KnownBugs, AreSubjectsInFloatAndDouble) {
-  const auto in_float = subjects<float>();
-  const auto in_double = subjects<double>();
+  const auto in_float = typed_subjects<float>();
+  const auto in_double = typed_subjects<double>();
   for (const KnownBug& b : known_bug_table()) {
     EXPECT_EQ(std::count_if(in_float.begin(), in_float.end(), [&](auto* s) { return s->name == b.name; }), 1);
     EXPECT_EQ(std::count_if(in_double.begin(), in_double.end(), [&](auto* s) { return s->name == b.name; }),
@@ -33,14 +33,14 @@ TEST(KnownBugs, AreSubjectsInFloatAndDouble) {
 }
 
 TEST(WeakStyles, PassTheLibraryAndKillSomeBugsButNotAll) {
-  const Subject<double>* own = nullptr;
-  for (const auto* s : subjects<double>())
+  const TypedSubject<double>* own = nullptr;
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") own = s;
   ASSERT_NE(own, nullptr);
   for (const WeakStyle& style : weak_styles()) {
     EXPECT_FALSE(style.kills(own->operations)) << style.name;
     int killed = 0, survived = 0;
-    for (const auto* s : subjects<double>())
+    for (const auto* s : typed_subjects<double>())
       if (s->name.rfind("bug:", 0) == 0) (style.kills(s->operations) ? killed : survived) += 1;
     EXPECT_GT(killed, 0) << style.name;
     EXPECT_GT(survived, 0) << style.name;

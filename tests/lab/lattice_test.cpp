@@ -18,8 +18,8 @@ using F = Feature;
 using V3 = Vec<double, 3>;
 using V6 = Vec<double, 6>;
 
-const Subject<double>& liecheck_subject() {
-  for (const auto* s : subjects<double>())
+const TypedSubject<double>& liecheck_subject() {
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return *s;
   throw std::logic_error("liecheck is not registered");
 }
@@ -167,7 +167,7 @@ TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
   const Fault fault{&op::exp6, table.size() - 1, {PlantedChange::size, 22, 1, 0, 1}};
   const FaultVerdict verdict = lab.judge(fault);
 
-  Subject<double> faulty{"faulty", "", {}};
+  TypedSubject<double> faulty{"faulty", "", {}};
   faulty.operations[op::exp6] = faulty_exp6;
   std::uint64_t cases = 1000;
   for (auto& law : make_properties<double>()) {
@@ -198,7 +198,7 @@ Vec<double, N> shrunk(const Vec<double, N>& x) {
 }
 
 TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
-  Subject<double> faulty{"faulty", "", {}};
+  TypedSubject<double> faulty{"faulty", "", {}};
   auto& o = faulty.operations;
   static const auto& good = liecheck_subject().operations;
   o[op::exp3_quaternion] = [](const V3& phi) { return good[op::exp3_quaternion](stretched<3>(phi)); };
@@ -224,7 +224,7 @@ TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
 }
 
 TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
-  Subject<double> base{"partly wrong", "", {}};
+  TypedSubject<double> base{"partly wrong", "", {}};
   base.operations[op::exp3_matrix] = [](const V3& phi) {
     return Mat<double, 3>((1 + 1e-10) * liecheck_subject().operations[op::exp3_matrix](phi));
   };
@@ -246,7 +246,7 @@ TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
 
 TEST(Lattice, HasThreeCorrectBasesAndThreeThousandFaults) {
   std::size_t faults = 0, correct = 0;
-  const auto count = [&](const Subject<double>& base) {
+  const auto count = [&](const TypedSubject<double>& base) {
     Lab<double> lab(base, triggers(), 42, built_in_robot(), {true, false});
     ASSERT_TRUE(lab.scan(20));
     faults += lab.faults().size();
@@ -254,7 +254,7 @@ TEST(Lattice, HasThreeCorrectBasesAndThreeThousandFaults) {
   };
   count(liecheck_subject());
   count(look_alikes<double>());
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck:fast") count(*s);
   EXPECT_GE(faults, 3000u);
   EXPECT_GE(correct, 3u);

@@ -4,7 +4,7 @@
 
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #include "../properties/altered_libraries.hpp"
 
@@ -36,7 +36,7 @@ bool correct_name(const std::string& name) {
 template <class S>
 void expect_nothing_of_correct_subjects() {
   int probed = 0;
-  for (const Subject<S>* s : subjects<S>()) {
+  for (const TypedSubject<S>* s : typed_subjects<S>()) {
     if (!correct_name(s->name)) continue;
     const Library l = library<S>(s->operations);
     probed += !l.empty();

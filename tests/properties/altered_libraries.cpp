@@ -49,7 +49,7 @@ template Library library(const SpatialSlots<float>&);
 template Library library(const SpatialSlots<double>&);
 
 Library correct() {
-  for (const Subject<double>* s : subjects<double>())
+  for (const TypedSubject<double>* s : typed_subjects<double>())
     if (s->name == "liecheck") return of_slots<double>(s->operations);
   return {};
 }

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::conventions {
 

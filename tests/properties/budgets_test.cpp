@@ -127,13 +127,13 @@ class SeriesOfCases {
       auto all = select({{subject}, {property}, {scalar}}, robot_);
       if (!all.empty()) series = std::move(all[0]);
     } else if (!series && !is_tree_law(property) && scalar == "double" && subject == "liecheck") {
-      if (const Subject<double>* module = fused()) series = series_of(property, *module, robot_);
+      if (const TypedSubject<double>* module = fused()) series = series_of(property, *module, robot_);
     }
     return series.get();
   }
 
  private:
-  const Subject<double>* fused() {
+  const TypedSubject<double>* fused() {
 #if defined(__x86_64__)
     if (modules_.empty() && has_kernels() && __builtin_cpu_supports("fma")) modules_ = load_kernels();
 #endif
@@ -143,7 +143,7 @@ class SeriesOfCases {
   }
 
   Robot robot_ = built_in_robot();
-  std::vector<Subject<double>> modules_;
+  std::vector<TypedSubject<double>> modules_;
   std::map<std::string, std::unique_ptr<Series>> made_;
 };
 

@@ -12,14 +12,14 @@
 namespace liecheck::properties {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 using V3 = O::V3;
 using V4 = O::V4;
 using V6 = O::V6;
 using X = VecX<double>;
 
 const O& good() {
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
 }
@@ -30,8 +30,8 @@ void flicker(double& x) {
   if (++calls % 2 == 0) x = std::nextafter(x, 2 * std::fabs(x) + 1);
 }
 
-Subject<double> planted(const std::string& name, void (*plant)(O&)) {
-  Subject<double> s;
+TypedSubject<double> planted(const std::string& name, void (*plant)(O&)) {
+  TypedSubject<double> s;
   s.name = "call:" + name;
   plant(s.operations);
   return s;
@@ -157,7 +157,7 @@ TEST(CallChecks, AnArgumentThatIsWrittenToFails) {
 }
 
 TEST(CallChecks, OutputThatIsLeftUnwrittenFailsWhateverTheMemoryHeld) {
-  for (const auto* subject : subjects<double>()) {
+  for (const auto* subject : typed_subjects<double>()) {
     if (subject->name != "call:leaves") continue;
     const CheckedSubject<double> checked(*subject);
     CallLog log;

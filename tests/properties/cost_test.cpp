@@ -183,8 +183,8 @@ TEST(Ratios, AreReadAsAnotherProcessWroteThem) {
 
 /// Compares the errors that each operation's law measures with errors from the closed forms at 100 digits.
 TEST(WideErrors, AgreeWithTheLawsInDouble) {
-  const auto all = subjects<double>();
-  const Subject<double>& subject =
+  const auto all = typed_subjects<double>();
+  const TypedSubject<double>& subject =
       **std::find_if(all.begin(), all.end(), [](const auto* s) { return s->name == "liecheck"; });
   const auto laws = make_properties<double>();
   SpatialSlots<double>::for_each([&](const auto& operation) {
@@ -192,7 +192,7 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
     const auto function = subject.operations[operation];
     const Property<double>* law = law_of(operation, laws);
     ASSERT_TRUE(law && function) << name;
-    Subject<double> only;
+    TypedSubject<double> only;
     only.operations.take(operation, subject.operations);
     const Signature signature = signature_of<double>(function);
     const auto fields = law->fields();

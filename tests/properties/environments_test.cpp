@@ -15,7 +15,7 @@
 namespace liecheck::properties::environments {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 
 TEST(Arithmetic, IsNamedAsItIs) {
   EXPECT_EQ(unusual_arithmetic(), "");
@@ -57,11 +57,11 @@ TEST(Arithmetic, OfAProgramThatIsUnusualJudgesNothing) {
 
 /// exp3_quaternion of liecheck, which then rounds up in every second call.
 const Registered<double> changes([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "environment:changes";
   s.operations[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
     std::fesetround(FE_UPWARD);
-    for (const auto* other : subjects<double>())
+    for (const auto* other : typed_subjects<double>())
       if (other->name == "liecheck") return other->operations[op::exp3_quaternion](phi);
     throw std::logic_error("liecheck is not registered");
   };

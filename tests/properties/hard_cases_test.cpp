@@ -14,16 +14,16 @@
 namespace liecheck::properties {
 namespace {
 
-using O = Operations<double>;
+using O = TypedOperations<double>;
 
 const O& own_operations() {
-  for (const auto* s : subjects<double>())
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return s->operations;
   throw std::logic_error("liecheck is not registered");
 }
 
-Subject<double> with(const std::string& name, void (*plant)(O&)) {
-  Subject<double> s;
+TypedSubject<double> with(const std::string& name, void (*plant)(O&)) {
+  TypedSubject<double> s;
   s.name = name;
   plant(s.operations);
   return s;

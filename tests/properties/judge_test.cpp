@@ -62,7 +62,7 @@ TEST(TheJudge, DividesALargeErrorByKappaHoweverLargeTheLimitIs) {
 TEST(TheJudge, AsksForTheSideOfPiOnlyWhereTheLimitTellsBothApart) {
   const auto outcome = [](double limit, double sign_of_axis, double w) {
     const Budget budget{"", "", "any", Rule::forward, limit, ""};
-    Subject<double> subject;
+    TypedSubject<double> subject;
     if (sign_of_axis > 0)
       subject.operations[op::log3_quaternion] = [](const Vec<double, 4>&) {
         return Vec<double, 3>(M_PI, 0, 0);

@@ -23,11 +23,11 @@ using V6 = Vec<double, 6>;
 
 /// exp6 of liecheck, which refuses to turn by more than 3 rad.
 const Registered<double> shy([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "limits:shy";
   s.operations[op::exp6] = [](const V6& xi) {
     if (!(xi.tail<3>().stableNorm() <= 3)) throw std::domain_error("more than 3 rad");
-    for (const auto* subject : subjects<double>())
+    for (const auto* subject : typed_subjects<double>())
       if (subject->name == "liecheck") return subject->operations[op::exp6](xi);
     throw std::logic_error("liecheck is not registered");
   };

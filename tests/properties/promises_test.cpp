@@ -25,11 +25,11 @@ using V6 = Vec<double, 6>;
 
 /// exp6 of liecheck with a translation that is too long by so many eps.
 template <int eps>
-Subject<double> longer(const std::string& name, const std::string& adapter = "") {
-  Subject<double> s;
+TypedSubject<double> longer(const std::string& name, const std::string& adapter = "") {
+  TypedSubject<double> s;
   s.name = name, s.adapter = adapter;
   s.operations[op::exp6] = [](const V6& xi) {
-    for (const auto* subject : subjects<double>())
+    for (const auto* subject : typed_subjects<double>())
       if (subject->name == "liecheck") {
         Pose<double> T = subject->operations[op::exp6](xi);
         T.p *= 1 + eps * 0x1p-52;

@@ -11,14 +11,14 @@ namespace {
 
 std::atomic<int> reads{0}, refusals{0};
 
-const Subject<double>& own() {
-  for (const Subject<double>* s : subjects<double>())
+const TypedSubject<double>& own() {
+  for (const TypedSubject<double>* s : typed_subjects<double>())
     if (s->name == "liecheck") return *s;
   throw std::logic_error("no subject liecheck");
 }
 
-Subject<double> reader(const std::string& name, decltype(Operations<double>::robot) robot) {
-  Subject<double> s{name, "counts", {}};
+TypedSubject<double> reader(const std::string& name, decltype(TypedOperations<double>::robot) robot) {
+  TypedSubject<double> s{name, "counts", {}};
   s.operations.robot = robot;
   return s;
 }

@@ -4,7 +4,7 @@
 #include <sys/wait.h>
 
 #include <fmt/format.h>
-#include <subjects/subject.hpp>
+#include <subjects/typed.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -61,7 +61,7 @@ CampaignResult campaign(const std::string& subject, const std::vector<std::strin
 std::map<std::string, Row> rows_of(const std::string& command, const char* law, std::uint64_t cases,
                                    const Robot& robot, double timeout_s = 5) {
   const std::shared_ptr<Adapter> adapter = start_process(command, timeout_s);
-  Subject<double> subject{adapter->description().name, "1", {}, command};
+  TypedSubject<double> subject{adapter->description().name, "1", {}, command};
   subject.operations.tree = [adapter](const Tree<double>& tree) {
     return tree_operations(tree, adapter->description(), [adapter]() -> Adapter& { return *adapter; });
   };

@@ -88,7 +88,7 @@ TEST(TreeModels, DetermineTheNumbersOfACall) {
 class OwnRobots final : public Adapter {
  public:
   OwnRobots() {
-    for (const Subject<double>* s : subjects<double>())
+    for (const TypedSubject<double>* s : typed_subjects<double>())
       if (s->name == "liecheck") own_ = s;
     RobotOperations<double>::for_each(
         [&](const Operation& o) { description_.offered.emplace(std::string(o.name), "double"); });
@@ -126,7 +126,7 @@ class OwnRobots final : public Adapter {
   }
 
  private:
-  const Subject<double>* own_ = nullptr;
+  const TypedSubject<double>* own_ = nullptr;
   Description description_{"own_robots", "1", {}, {}, {}, {"urdf"}, {}};
 };
 OwnRobots& own_robots() {
@@ -135,7 +135,7 @@ OwnRobots& own_robots() {
 }
 
 TEST(RobotModels, TakeTheOperationsOnConfigurationsOverTheWire) {
-  Subject<double> subject{"own_robots", "1", {}};
+  TypedSubject<double> subject{"own_robots", "1", {}};
   subject.operations.robot = [](const std::string& urdf, bool fixed) {
     return robot_operations<double>(urdf, fixed, []() -> Adapter& { return own_robots(); });
   };

@@ -26,15 +26,15 @@
 namespace liecheck::properties {
 namespace {
 
-const Subject<double>& own() {
-  for (const auto* s : subjects<double>())
+const TypedSubject<double>& own() {
+  for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck") return *s;
   throw std::logic_error("liecheck is not registered");
 }
 
 // A subject whose forward dynamics returns 1e30.
 const Registered<double> huge_acceleration([] {
-  Subject<double> s;
+  TypedSubject<double> s;
   s.name = "unmeasured_huge_aba";
   s.operations.tree = [](const Tree<double>& tree) {
     auto o = own().operations.tree(tree);
@@ -122,8 +122,9 @@ class ReturnsEarly final : public Property<double> {
   }
   const Statement& statement() const override { return law_->statement(); }
   std::vector<double> generate(Source& source) const override { return law_->generate(source); }
-  void measure(const Subject<double>& subject, const std::vector<double>& x, Recorder& r) const override {
-    Subject<double> some = subject;
+  void measure(const TypedSubject<double>& subject, const std::vector<double>& x,
+               Recorder& r) const override {
+    TypedSubject<double> some = subject;
     const bool beyond = std::hypot(x[3], x[4], x[5]) > limit_;
     if (beyond) some.operations[op::exp6] = nullptr;
     law_->measure(some, x, r);

@@ -12,8 +12,8 @@ using V3 = Vec<double, 3>;
 using V4 = Vec<double, 4>;
 using X = VecX<double>;
 
-const Subject<double>& subject(const std::string& name) {
-  for (const auto* s : subjects<double>())
+const TypedSubject<double>& subject(const std::string& name) {
+  for (const auto* s : typed_subjects<double>())
     if (s->name == name) return *s;
   throw std::logic_error(name + " is not registered");
 }
@@ -48,7 +48,7 @@ TEST(Wrapped, CallsGoThroughTheHookAndReturnItsResult) {
 
 TEST(Wrapped, HasExactlyTheOperationsOfItsBase) {
   std::multiset<std::string> calls;
-  for (const auto* s : subjects<double>()) {
+  for (const auto* s : typed_subjects<double>()) {
     const Noted noted(s->operations, {&calls});
     for (const Operation* o : all_operations())
       EXPECT_EQ(noted.operations().has(*o), s->operations.has(*o)) << s->name << " " << o->name;
@@ -95,7 +95,7 @@ struct Shift {
 using Shifted = Wrapped<double, Shift>;
 
 TEST(Wrapped, ManySubjectsAreWrappedAtOnceAndOnManyThreads) {
-  const Operations<double>& base = subject("liecheck").operations;
+  const TypedOperations<double>& base = subject("liecheck").operations;
   const Shifted one(base, {1}), two(base, {2});
   const auto calls = [&base](const Shifted& shifted, double by) {
     for (int i = 0; i < 1000; ++i) {

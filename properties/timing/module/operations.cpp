@@ -5,7 +5,7 @@
 
 extern "C" __attribute__((visibility("default"))) const liecheck::properties::Kernels* liecheck_kernels() {
   using namespace liecheck::properties;
-  static const Operations<double> operations = LiecheckOperations<double>::make().operations;
+  static const TypedOperations<double> operations = LiecheckOperations<double>::make().operations;
   static const Kernels kernels{LIECHECK_KERNELS, kernels_layout(), &operations};
   return &kernels;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Shows the checked calls of a thread (call_checks.hpp), with the bits of their results. All checked calls run in the rounding mode and
-// with the treatment of subnormals that mode_of_calls says (support/float_environment.hpp).
+// Shows the checked calls of a thread (call_log.hpp), with the bits of their results. All checked calls run in the
+// rounding mode and with the treatment of subnormals that mode_of_calls says (support/float_environment.hpp).
 
 #include <functional>
 #include <operations/operation.hpp>

@@ -1,5 +1,4 @@
-// Longer than 400 lines: the members of one class template, which each measure or judge one case.
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <campaign/window.hpp>
 
 #include <fmt/format.h>
@@ -54,8 +53,6 @@ Profile default_profile(const SubjectLimits* own, bool of_adapter) {
 
 namespace {
 
-static_assert(sizeof(float128) == 16);  // so the digests cover the same bytes as those of a __float128
-
 /// The bytes of a measurement in the digest of the results.
 struct [[gnu::packed]] Digested {
   std::uint16_t output, band;
@@ -89,9 +86,8 @@ bool same(const Judged& a, const Judged& b) {
 }
 
 /// Measures with every call checked, so that one that changes the arithmetic does not reach the oracles.
-template <class S>
-std::vector<Judged> measured_with_checks(const TypedSeries<S>& series, const std::vector<S>& x) {
-  const typename TypedSeries<S>::Checking checking(series);
+std::vector<Judged> measured_with_checks(const Series& series, const std::vector<double>& x) {
+  const Series::Checking checking(series);
   std::vector<Judged> judged = series.measure(x);
   checking.judge(judged);
   return judged;
@@ -104,16 +100,14 @@ std::uint64_t next_series_number() {
 
 }  // namespace
 
-template <class S>
-TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subject<S>& tested,
+Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested,
                             const Robot& robot_used, std::shared_ptr<const SubjectLimits> limits,
                             Profile judging)
-    : law_(std::move(law_tested)), subject_(tested), checked_(tested), number_(next_series_number()) {
+    : law_(std::move(law_tested)), subject_(tested), number_(next_series_number()) {
   const Statement& stated = law_->statement();
   property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
   subject = tested.name, subject_version = tested.version, adapter = tested.adapter;
-  scalar = scalar_name<S>();
-  eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
+  scalar = format().name, eps = format().epsilon;
   outputs = law_->outputs();
   law_->prepare(robot_used);
   robot = law_->needs_robot() ? robot_used.hash : "none";
@@ -134,15 +128,13 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
                         &budget_in(table, o.operation, o.block, Region::beyond_pi)}});
 }
 
-template <class S>
-void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {
+void Series::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {
   Case c = generated(seed, index);
   measure(c);
   add(c, seed, tally);
 }
 
-template <class S>
-std::uint64_t TypedSeries<S>::run(std::uint64_t seed, Range cases, Tally& tally,
+std::uint64_t Series::run(std::uint64_t seed, Range cases, Tally& tally,
                                   const std::atomic<bool>& stop) const {
   auto& [next, last] = cases;
   if (together_) {
@@ -150,9 +142,9 @@ std::uint64_t TypedSeries<S>::run(std::uint64_t seed, Range cases, Tally& tally,
     while (next < last && !stop) {
       std::vector<Case> all;
       for (std::uint64_t n = window.next(last - next); n > 0; --n) all.push_back(generated(seed, next++));
-      std::vector<typename CheckedSubject<S>::OfTask> own(all.size());
+      std::vector<CallLog*> own(all.size());
       run_together(
-          all.size(), [&](std::size_t k) { measure(all[k]); }, [&](std::size_t k) { own[k].exchange(); });
+          all.size(), [&](std::size_t k) { measure(all[k]); }, [&](std::size_t k) { std::swap(CallLog::current(), own[k]); });
       for (const Case& c : all) add(c, seed, tally);
     }
   }
@@ -160,14 +152,12 @@ std::uint64_t TypedSeries<S>::run(std::uint64_t seed, Range cases, Tally& tally,
   return next;
 }
 
-template <class S>
-auto TypedSeries<S>::generated(std::uint64_t seed, std::uint64_t index) const -> Case {
+auto Series::generated(std::uint64_t seed, std::uint64_t index) const -> Case {
   Source stream(CaseId::key_of(key_of(seed), index));
   return {index, law_->generate(stream), judge_of_balls()};
 }
 
-template <class S>
-void TypedSeries<S>::measure(Case& c) const {
+void Series::measure(Case& c) const {
   std::vector<Judged>& judged = c.judge.judged;
   const FloatEnvironment environment;
   if (c.index % call_check_interval != 0) {
@@ -189,21 +179,25 @@ void TypedSeries<S>::measure(Case& c) const {
     confirm(c.x, judged);
 }
 
-template <class S>
-void TypedSeries<S>::add(const Case& c, std::uint64_t seed, Tally& tally) const {
+void Series::add(const Case& c, std::uint64_t seed, Tally& tally) const {
   const Source::Key& series = key_of(seed);
   const auto& [index, x, judge, decided, checked, disagreed] = c;
   const std::vector<Judged>& judged = judge.judged;
   tally.checked += checked;
   if (disagreed) tally.disagreed.push_back(index);
   tally.fast += decided;
-  tally.coverage.add(fields, x, measured_outputs(judged));
+  tally.coverage.add(fields, x, format(), measured_outputs(judged));
   thread_local std::string record;
   record.clear();
   const auto add = [](const void* from, std::size_t n) { record.append(static_cast<const char*>(from), n); };
   add(&series, sizeof series);
   add(&index, sizeof index);
-  add(x.data(), x.size() * sizeof(S));
+  format().with([&]<class S>() {  // the digest covers the bytes of the scalar
+    for (const double number : x) {
+      const S own = static_cast<S>(number);
+      add(&own, sizeof own);
+    }
+  });
   tally.inputs.add(record.data(), record.size());
   record.resize(sizeof series + sizeof index);
   record += subject;
@@ -218,8 +212,7 @@ void TypedSeries<S>::add(const Case& c, std::uint64_t seed, Tally& tally) const 
 }
 
 /// The key of this series and a seed. Each thread caches the last key.
-template <class S>
-const Source::Key& TypedSeries<S>::key_of(std::uint64_t seed) const {
+const Source::Key& Series::key_of(std::uint64_t seed) const {
   thread_local struct {
     std::uint64_t series = 0, seed = 0;
     Source::Key key{};
@@ -228,28 +221,25 @@ const Source::Key& TypedSeries<S>::key_of(std::uint64_t seed) const {
   return last.key;
 }
 
-template <class S>
-std::vector<std::string> TypedSeries<S>::input(const CaseId& address) const {
+std::vector<std::string> Series::input(const CaseId& address) const {
   std::vector<std::string> text;
-  for (const S& v : numbers(address)) text.push_back(hexadecimal_float(v));
+  for (const double v : numbers(address)) text.push_back(hexadecimal_float(v));
   return text;
 }
 
-template <class S>
-std::vector<S> TypedSeries<S>::numbers(const CaseId& address) const {
+std::vector<double> Series::numbers(const CaseId& address) const {
   if (!address.raw) {
     Source stream(address.key());
     return law_->generate(stream);
   }
-  const std::vector<S> x = parsed(address);
+  const std::vector<double> x = parsed(address);
   check_valid(x, address);
   return x;
 }
 
-template <class S>
-std::vector<S> TypedSeries<S>::parsed(const CaseId& address) const {
-  std::vector<S> x;
-  for (const std::string& text : address.input) x.push_back(parse_float<S>(text));
+std::vector<double> Series::parsed(const CaseId& address) const {
+  std::vector<double> x;
+  for (const std::string& text : address.input) x.push_back(parse_float(text, format()));
   std::size_t expected = 0;
   for (const Field& f : fields) expected += static_cast<std::size_t>(f.size);
   if (!law_->takes(x.size()))
@@ -258,8 +248,7 @@ std::vector<S> TypedSeries<S>::parsed(const CaseId& address) const {
   return x;
 }
 
-template <class S>
-void TypedSeries<S>::check_valid(const std::vector<S>& x, const CaseId& address) const {
+void Series::check_valid(const std::vector<double>& x, const CaseId& address) const {
   if (!law_->valid(x))
     throw std::invalid_argument(fmt::format("case ID: not a valid input of property {}: {}", property,
                                             fmt::join(address.input, ",")));
@@ -270,18 +259,15 @@ namespace {
 /// Whether the fourth power of a rotation vector's norm, or the square of another one, may overflow, or the square of a
 /// quaternion's norm is nearly subnormal. Ordinary code forms such powers, and only the profile `ours` demands a result
 /// there.
-template <class S>
-bool powers_leave_the_range(const std::vector<Field>& fields, const std::vector<S>& x) {
-  using std::abs;
-  using std::ldexp;
-  using Limits = std::numeric_limits<S>;
-  static const S of_angles = ldexp(S(1), Limits::max_exponent / 4 - 2),
-                 of_others = ldexp(S(1), Limits::max_exponent / 2 - 4),
-                 of_quaternions = ldexp(S(1), (Limits::min_exponent + Limits::digits) / 2);
+bool powers_leave_the_range(const Scalar& scalar, const std::vector<Field>& fields,
+                            const std::vector<double>& x) {
+  const double of_angles = std::ldexp(1.0, scalar.max_exponent / 4 - 2),
+               of_others = std::ldexp(1.0, scalar.max_exponent / 2 - 4),
+               of_quaternions = std::ldexp(1.0, (scalar.min_exponent + scalar.digits) / 2);
   auto next = x.begin();
   for (const Field& field : fields) {
-    S largest(0);
-    for (int i = 0; i < field.size; ++i) largest = std::max(largest, S(abs(*next++)));
+    double largest = 0;
+    for (int i = 0; i < field.size; ++i) largest = std::max(largest, std::fabs(*next++));
     if (largest > (field.kind == Kind::rotation_vector ? of_angles : of_others)) return true;
     if (field.kind == Kind::any_quaternion && largest < of_quaternions) return true;
   }
@@ -290,18 +276,17 @@ bool powers_leave_the_range(const std::vector<Field>& fields, const std::vector<
 
 }  // namespace
 
-template <class S>
-auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
+auto Series::scope_of(const std::vector<double>& x) const -> Scope {
   Scope scope;
-  scope.subject = CallLog::current() ? &checked_.subject() : &subject_;
+  scope.subject = &subject_;
   std::vector<bool> outside;
-  if (profile != Profile::ours && powers_leave_the_range(fields, x))
+  if (profile != Profile::ours && powers_leave_the_range(format(), fields, x))
     outside.assign(outputs.size(), true);
   else if (!domain_.has_everything())
     outside = domain_.outside(x);
   const auto any = std::find(outside.begin(), outside.end(), true);
   if (any == outside.end()) return scope;
-  auto reduced = std::make_unique<Subject<S>>(*scope.subject);
+  auto reduced = std::make_unique<Subject>(*scope.subject);
   for (std::size_t i = 0; i < outputs.size(); ++i)
     if (outside[i]) reduced->operations.take(*outputs[i].record, {});
   scope.nothing_left = true;
@@ -317,8 +302,7 @@ auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
   return scope;
 }
 
-template <class S>
-void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& judge) const {
+void Series::close(const std::vector<double>& x, const Scope& scope, Judge& judge) const {
   if (!scope.outside.empty()) {
     std::erase_if(judge.judged, [&](const Judged& j) {  // a refusal concerns the whole law
       return scope.outside[j.residual.output] && j.residual.outcome != Outcome::refused;
@@ -333,8 +317,7 @@ void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& j
   judge.close(due);
 }
 
-template <class S>
-void TypedSeries<S>::record_thrown(const std::exception& thrown, Judge& judge) const {
+void Series::record_thrown(const std::exception& thrown, Judge& judge) const {
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
   if (failed && failed->outcome == Outcome::outside_domain) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -347,14 +330,12 @@ void TypedSeries<S>::record_thrown(const std::exception& thrown, Judge& judge) c
   judge.outcome(*of, 0, failed ? failed->outcome : Outcome::refused);
 }
 
-template <class S>
-std::vector<Judged> TypedSeries<S>::measure(const std::vector<S>& x, const Limits& limits) const {
-  Judge judge(limits, bands(), eps, oracles::error_accuracy, every_kappa);
+std::vector<Judged> Series::measure(const std::vector<double>& x, const Limits& limits) const {
+  Judge judge(limits, format(), oracles::error_accuracy, every_kappa);
   return measure_by_balls(x, judge) ? std::move(judge.judged) : measure_by_digits(x, limits, every_kappa);
 }
 
-template <class S>
-std::vector<Judged> TypedSeries<S>::measure_case(const std::vector<S>& x, std::uint64_t index) const {
+std::vector<Judged> Series::measure_case(const std::vector<double>& x, std::uint64_t index) const {
   if (index % call_check_interval != 0) {
     const FloatEnvironment environment;
     std::vector<Judged> judged = measure(x);
@@ -366,15 +347,13 @@ std::vector<Judged> TypedSeries<S>::measure_case(const std::vector<S>& x, std::u
   return judged;
 }
 
-template <class S>
-std::vector<Judged> TypedSeries<S>::measure_twice(const std::vector<S>& x) const {
+std::vector<Judged> Series::measure_twice(const std::vector<double>& x) const {
   std::vector<Judged> judged = measure(x);
   confirm(x, judged);
   return judged;
 }
 
-template <class S>
-bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) const {
+bool Series::measure_by_balls(const std::vector<double>& x, Judge& judge) const {
   const Scope scope = scope_of(x);
   bool decided = true;
   for (std::size_t tier = 0; !scope.nothing_left; ++tier) try {
@@ -391,10 +370,9 @@ bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) con
   return decided;
 }
 
-template <class S>
-std::vector<Judged> TypedSeries<S>::measure_by_digits(const std::vector<S>& x, const Limits& limits,
+std::vector<Judged> Series::measure_by_digits(const std::vector<double>& x, const Limits& limits,
                                                       bool all_kappas, std::string* refusal) const {
-  Judge judge(limits, bands(), eps, 0, all_kappas);
+  Judge judge(limits, format(), 0, all_kappas);
   const Scope scope = scope_of(x);
   try {
     if (CallLog* log = CallLog::current()) log->trees = 0;
@@ -407,8 +385,7 @@ std::vector<Judged> TypedSeries<S>::measure_by_digits(const std::vector<S>& x, c
   return std::move(judge.judged);
 }
 
-template <class S>
-void TypedSeries<S>::confirm(const std::vector<S>& x, std::vector<Judged>& judged) const {
+void Series::confirm(const std::vector<double>& x, std::vector<Judged>& judged) const {
   const Checking checking(*this);
   const std::vector<Judged> again = measure(x);
   checking.judge(judged);
@@ -420,8 +397,7 @@ void TypedSeries<S>::confirm(const std::vector<S>& x, std::vector<Judged>& judge
   }
 }
 
-template <class S>
-void TypedSeries<S>::Checking::judge(std::vector<Judged>& judged) const {
+void Series::Checking::judge(std::vector<Judged>& judged) const {
   for (const CallLog::Finding& f : log_.findings) {
     // What a law forms from several operations has no row of the operation: then every row is void.
     const auto concerns = [&](const Judged& j) {
@@ -435,8 +411,5 @@ void TypedSeries<S>::Checking::judge(std::vector<Judged>& judged) const {
   }
 }
 
-template class TypedSeries<float>;
-template class TypedSeries<double>;
-template class TypedSeries<float128>;
 
 }  // namespace liecheck::properties

@@ -1,10 +1,11 @@
-#include <campaign/call_checks.hpp>
 
 #include <algorithm>
-#include <campaign/call_observer.hpp>
 #include <cstring>
 #include <new>
-#include <subjects/wrapped.hpp>
+#include <subjects/call_log.hpp>
+#include <subjects/call_observer.hpp>
+#include <subjects/tree.hpp>
+#include <subjects/typed.hpp>
 #include <support/float_environment.hpp>
 #include <tuple>
 #include <type_traits>
@@ -94,15 +95,11 @@ class Memory {
   R* result_ = nullptr;
 };
 
-/// The hook of a CheckedSubject.
+/// Calls a function in the scalar S, and checks the call if the thread has a log.
 template <class S>
 struct CheckedCall {
-  int tree = 0;
+  int tree = 0;  ///< which of the trees that the case builds the function belongs to, from 1; 0 if to none
 
-  CheckedCall on(const Tree<S>&) const {
-    CallLog* log = CallLog::current();
-    return {log ? ++log->trees : 0};
-  }
   template <class O, class F, class... A>
   auto operator()(const O& operation, const F& function, const A&... arguments) const {
     using R = std::invoke_result_t<const F&, const A&...>;
@@ -164,6 +161,74 @@ struct CheckedCall {
   }
 };
 
+/// A value with its numbers in S: rounded, or exactly.
+template <class S, class T>
+auto in_scalar(const T& value) {
+  if constexpr (is_matrix<T>)
+    return Eigen::Matrix<S, T::RowsAtCompileTime, T::ColsAtCompileTime>(value.template cast<S>());
+  else if constexpr (requires { value.I_C; })
+    return Body<S>{static_cast<S>(value.mass), in_scalar<S>(value.c), in_scalar<S>(value.I_C)};
+  else if constexpr (requires { value.R; })
+    return Pose<S>{in_scalar<S>(value.R), in_scalar<S>(value.p)};
+  else if constexpr (requires { value.second; })
+    return std::pair(in_scalar<S>(value.first), in_scalar<S>(value.second));
+  else if constexpr (std::is_floating_point_v<T>)
+    return static_cast<S>(value);
+  else
+    return value;  // an index, a reference frame or a truth value
+}
+
+template <class S, int R, int C>
+oracles::Mat<R, C, S> in_scalar(const oracles::Mat<R, C, double>& value) {
+  oracles::Mat<R, C, S> m;
+  std::copy(value.x.begin(), value.x.end(), m.x.begin());
+  return m;
+}
+template <class S>
+oracles::BodyOf<S> in_scalar(const oracles::BodyOf<double>& body) {
+  return {static_cast<S>(body.mass), in_scalar<S>(body.c), in_scalar<S>(body.I_C)};
+}
+template <class S>
+Tree<S> in_scalar(const Tree<double>& tree) {
+  Tree<S> t;
+  for (const oracles::JointOf<double>& j : tree.joints) {
+    oracles::JointOf<S>& to = t.joints.emplace_back();
+    to.kind = j.kind, to.parent = j.parent, to.primary = j.primary;
+    to.Q = in_scalar<S>(j.Q), to.p = in_scalar<S>(j.p), to.axis = in_scalar<S>(j.axis);
+    to.pitch = static_cast<S>(j.pitch), to.multiplier = static_cast<S>(j.multiplier);
+    to.offset = static_cast<S>(j.offset), to.armature = static_cast<S>(j.armature);
+    to.body = in_scalar<S>(j.body);
+  }
+  t.gravity = in_scalar<S>(tree.gravity);
+  t.index();
+  for (const FixedBody<double>& f : tree.fixed)
+    t.fixed.push_back({f.joint, in_scalar<S>(f.body), in_scalar<S>(f.Q), in_scalar<S>(f.p)});
+  t.frame_joint = tree.frame_joint, t.frame_Q = in_scalar<S>(tree.frame_Q);
+  t.frame_p = in_scalar<S>(tree.frame_p), t.urdf = tree.urdf;
+  return t;
+}
+
+/// Functions of doubles that call functions in the scalar S.
+template <class S, class To, const auto&... all>
+void erase(Slots<To, all...>& to, const Slots<S, all...>& from, CheckedCall<S> call) {
+  const auto one = [call](const auto& operation, auto& slot, const auto& function) {
+    if (!function) return;
+    slot = [call, &operation, function](const auto&... arguments) {
+      if constexpr (std::is_same_v<S, double>)
+        return call(operation, function, arguments...);
+      else  // the conversions stand outside the call, which may flush subnormal numbers
+        return in_scalar<double>(call(operation, function, in_scalar<S>(arguments)...));
+    };
+  };
+  (one(all, to[all], from[all]), ...);
+}
+
+/// Which tree of the case is built now.
+int next_tree() {
+  CallLog* const log = CallLog::current();
+  return log ? ++log->trees : 0;
+}
+
 }  // namespace
 
 CallLog*& CallLog::current() {
@@ -177,47 +242,37 @@ CallObserver*& call_observer() {
 }
 
 template <class S>
-struct CheckedSubject<S>::Implementation {
-  Wrapped<S, CheckedCall<S>> wrapped;
-  Subject<S> subject;
-  explicit Implementation(const Subject<S>& tested)
-      : wrapped(tested.operations, {}), subject{tested.name, tested.version, wrapped.operations()} {}
-};
-
-template <class S>
-struct CheckedSubject<S>::Active::Inside {
-  typename Wrapped<S, CheckedCall<S>>::Active active;
-  CallLog* before;
-};
-
-template <class S>
-CheckedSubject<S>::CheckedSubject(const Subject<S>& tested)
-    : implementation_(std::make_unique<const Implementation>(tested)) {}
-template <class S>
-CheckedSubject<S>::~CheckedSubject() = default;
-template <class S>
-const Subject<S>& CheckedSubject<S>::subject() const {
-  return implementation_->subject;
+Subject erased(const TypedSubject<S>& subject) {
+  Subject s{subject.name, subject.version, subject.adapter, &oracles::scalar_of<S>};
+  const TypedOperations<S>& from = subject.operations;
+  erase<S>(static_cast<SpatialSlots<Doubles>&>(s.operations), static_cast<const SpatialSlots<S>&>(from), {});
+  if (from.check_quaternion)
+    s.operations.check_quaternion = [check = from.check_quaternion](const Vec<double, 4>& Q) {
+      check(in_scalar<S>(Q));
+    };
+  if (from.check_rotation)
+    s.operations.check_rotation = [check = from.check_rotation](const Mat<double, 3>& R) {
+      check(in_scalar<S>(R));
+    };
+  if (from.robot)
+    s.operations.robot = [robot = from.robot](const std::string& urdf, bool fixed) {
+      RobotOperations<double> o;
+      erase<S>(o, robot(urdf, fixed), {});
+      return o;
+    };
+  if (from.tree)
+    s.operations.tree = [build = from.tree](const Tree<double>& tree) {
+      TreeOperations<double> o;
+      const int number = next_tree();
+      if constexpr (std::is_same_v<S, double>)
+        erase<S>(o, build(tree), {number});
+      else
+        erase<S>(o, build(in_scalar<S>(tree)), {number});
+      return o;
+    };
+  return s;
 }
-
-template <class S>
-CheckedSubject<S>::Active::Active(const CheckedSubject& checked, CallLog* log)
-    : inside_(new Inside{typename Wrapped<S, CheckedCall<S>>::Active(checked.implementation_->wrapped),
-                         std::exchange(CallLog::current(), log)}) {}
-template <class S>
-CheckedSubject<S>::Active::~Active() {
-  CallLog::current() = inside_->before;
-}
-
-template <class S>
-void CheckedSubject<S>::OfTask::exchange() {
-  std::swap(CallLog::current(), log_);
-  using W = Wrapped<S, CheckedCall<S>>;
-  active_ = W::exchange(static_cast<const W*>(active_));
-}
-
-template class CheckedSubject<float>;
-template class CheckedSubject<double>;
-template class CheckedSubject<float128>;
+template Subject erased(const TypedSubject<float>&);
+template Subject erased(const TypedSubject<double>&);
 
 }  // namespace liecheck::properties

@@ -8,8 +8,11 @@
 // memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a register,
 // or a result that the subject copies from a variable of its own.
 
-#include <invariants/property.hpp>
 #include <memory>
+#include <operations/operation.hpp>
+#include <string>
+#include <subjects/outcome.hpp>
+#include <vector>
 
 namespace liecheck::properties {
 
@@ -35,48 +38,5 @@ class CallLog {
   /// The log of this thread, or null if its calls are not checked.
   static CallLog*& current();
 };
-
-/// A subject whose calls are checked while an Active with a log exists on the thread.
-template <class S>
-class CheckedSubject {
-  struct Implementation;
-
- public:
-  /// `tested` must outlive this.
-  explicit CheckedSubject(const Subject<S>& tested);
-  ~CheckedSubject();
-  const Subject<S>& subject() const;
-
-  /// Calls of subject() are permitted on this thread, and checked if there is a log.
-  class Active {
-   public:
-    Active(const CheckedSubject& checked, CallLog* log);
-    Active(const Active&) = delete;
-    Active& operator=(const Active&) = delete;
-    ~Active();
-
-   private:
-    struct Inside;
-    std::unique_ptr<Inside> inside_;
-  };
-
-  /// The log and the subject of the Active that another task of this thread has: support/together.hpp.
-  class OfTask {
-   public:
-    /// Exchanges them for those of the thread.
-    void exchange();
-
-   private:
-    CallLog* log_ = nullptr;
-    const void* active_ = nullptr;
-  };
-
- private:
-  std::unique_ptr<const Implementation> implementation_;
-};
-
-extern template class CheckedSubject<float>;
-extern template class CheckedSubject<double>;
-extern template class CheckedSubject<float128>;
 
 }  // namespace liecheck::properties
