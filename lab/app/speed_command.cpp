@@ -83,9 +83,9 @@ std::uint64_t check_exp6(const TypedSubject<double>& subject, std::uint64_t case
     ++run;
     const auto exact = closed_exp(exact_vector<6, Real>(xi));
     const Pose<double> T = subject.operations[op::exp6](xi);
-    RC_ASSERT(rotation_error<double>(exact_matrix<3, 3, Real>(T.R), exact.Q) <= rotation);
-    RC_ASSERT(orthogonality_defect<double>(exact_matrix<3, 3, Real>(T.R)) <= defect);
-    RC_ASSERT(vector_error<double>(exact_vector<3, Real>(T.p), exact.p) <= translation);
+    RC_ASSERT(rotation_error(scalar_of<double>, exact_matrix<3, 3, Real>(T.R), exact.Q) <= rotation);
+    RC_ASSERT(orthogonality_defect(scalar_of<double>, exact_matrix<3, 3, Real>(T.R)) <= defect);
+    RC_ASSERT(vector_error(scalar_of<double>, exact_vector<3, Real>(T.p), exact.p) <= translation);
   });
   if (buffer) std::cerr.rdbuf(buffer);
   return run;

@@ -58,6 +58,10 @@ Number number_of(const std::string& word) {
   mpfr_strtofr(value.backend().data(), word.c_str(), &end, 0, MPFR_RNDN);
   if (end != word.c_str() + word.size() || !isfinite(value))
     throw std::invalid_argument(fmt::format("not a number: '{}'", word));
+  // Functions of numbers beyond would take digits without end.
+  const int exponent = oracles::exponent_of(value);
+  if (value != 0 && (exponent > 16384 || exponent < -16493))
+    throw std::invalid_argument(fmt::format("beyond the range from 2^-16494 to 2^16384: '{}'", word));
   return value;
 }
 

@@ -169,10 +169,11 @@ TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
 
   TypedSubject<double> faulty{"faulty", "", {}};
   faulty.operations[op::exp6] = faulty_exp6;
+  const Subject tested = erased(faulty);
   std::uint64_t cases = 1000;
-  for (auto& law : make_properties<double>()) {
-    if (!law->offered(faulty)) continue;
-    const TypedSeries<double> series(std::move(law), faulty, built_in_robot());
+  for (auto& law : make_properties(oracles::scalar_of<double>)) {
+    if (!law->offered(tested)) continue;
+    const Series series(std::move(law), tested, built_in_robot());
     for (std::uint64_t i = 0; i < cases; ++i) {
       const auto judged = series.replay(series.id(5, i));
       if (std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; })) cases = i + 1;
@@ -209,11 +210,12 @@ TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
   o[op::log3_matrix] = [](const auto& R) { return shrunk<3>(good[op::log3_matrix](R)); };
   o[op::log6] = [](const auto& X) { return shrunk<6>(good[op::log6](X)); };
   o[op::difference] = [](const auto& a, const auto& b) { return shrunk<6>(good[op::difference](a, b)); };
+  const Subject tested = erased(faulty);
   std::set<std::string_view> found;
   for (const char* name : {"exp_oracle", "integrate_difference", "log_oracle"})
-    for (auto& law : make_properties<double>()) {
+    for (auto& law : make_properties(oracles::scalar_of<double>)) {
       if (law->name() != name) continue;
-      const TypedSeries<double> series(std::move(law), faulty, built_in_robot());
+      const Series series(std::move(law), tested, built_in_robot());
       for (std::uint64_t i = 0; i < 1000; ++i)
         for (const Judged& j : series.replay(series.id(42, i)))
           if (j.failed) found.insert(series.outputs.at(j.residual.output).operation);

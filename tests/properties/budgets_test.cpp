@@ -163,7 +163,7 @@ TEST(Budgets, EveryHuntedMaximumIsReproducedByItsHardCase) {
     if (!series && b.fma)
       continue;  // of() knows FMA only in double, without trees, and on a processor with FMA
     ASSERT_TRUE(series) << name_of(b);
-    const double found = largest(b, *series, numbers_of(c, series->fields, format_of(c.scalars[0])));
+    const double found = largest(b, *series, numbers_of(c, series->fields, oracles::scalar_named(c.scalars[0])));
     EXPECT_GE(found, reproduced * b.value) << name_of(b) << ": " << c.name;
     EXPECT_LE(found, b.limit) << name_of(b) << ": " << c.name;
     ++replayed;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <atomic>
 #include <campaign/campaign.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <failures/description.hpp>
 #include <search/shrink.hpp>
 #include <subjects/tree.hpp>
@@ -117,9 +117,6 @@ std::uint64_t sum(const CampaignResult& r, const Operation& operation, std::uint
 std::unique_ptr<Series> series(const std::string& subject, const std::string& property) {
   return std::move(select({{subject}, {property}, {"double"}}, built_in_robot()).at(0));
 }
-const TypedSeries<double>& typed(const Series& s) {
-  return dynamic_cast<const TypedSeries<double>&>(s);
-}
 bool failed(const std::vector<Judged>& judged) {
   return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
 }
@@ -127,15 +124,15 @@ const std::vector<double> twist = {0.5, -0.25, 1.5, 0.25, 1, -0.5};
 
 TEST(CallChecks, ACallThatIsNotRepeatableFailsAndNeverMakesTheOraclesDisagree) {
   const auto s = series("call:flickers", "exp_oracle");
-  EXPECT_FALSE(failed(typed(*s).measure(twist)));  // the error of the last bit is within budget
+  EXPECT_FALSE(failed(s->measure(twist)));  // the error of the last bit is within budget
   const auto oracles_agree = [&] {
-    Judge balls = typed(*s).judge_of_balls();
-    EXPECT_TRUE(typed(*s).measure_by_balls(twist, balls));
-    return agree(balls.judged, typed(*s).measure_by_digits(twist, typed(*s).limits()));
+    Judge balls = s->judge_of_balls();
+    EXPECT_TRUE(s->measure_by_balls(twist, balls));
+    return agree(balls.judged, s->measure_by_digits(twist, s->limits()));
   };
   EXPECT_FALSE(oracles_agree());
   {
-    const TypedSeries<double>::Checking checking(typed(*s), true);
+    const Series::Checking checking(*s, true);
     EXPECT_TRUE(oracles_agree());
   }
   const CampaignResult r = run("call:flickers", "exp_oracle", 1100);
@@ -148,8 +145,8 @@ TEST(CallChecks, ACallThatIsNotRepeatableFailsAndNeverMakesTheOraclesDisagree) {
 
 TEST(CallChecks, AnArgumentThatIsWrittenToFails) {
   const auto s = series("call:writes", "exp_oracle");
-  EXPECT_FALSE(failed(typed(*s).measure(twist)));
-  EXPECT_TRUE(failed(typed(*s).measure_twice(twist)));
+  EXPECT_FALSE(failed(s->measure(twist)));
+  EXPECT_TRUE(failed(s->measure_twice(twist)));
   const CampaignResult r = run("call:writes", "exp_oracle", 160);
   EXPECT_TRUE(r.failed);
   EXPECT_EQ(sum(r, op::exp6, &Row::argument_written), 3u * 40u);
@@ -159,10 +156,10 @@ TEST(CallChecks, AnArgumentThatIsWrittenToFails) {
 TEST(CallChecks, OutputThatIsLeftUnwrittenFailsWhateverTheMemoryHeld) {
   for (const auto* subject : typed_subjects<double>()) {
     if (subject->name != "call:leaves") continue;
-    const CheckedSubject<double> checked(*subject);
     CallLog log;
-    const CheckedSubject<double>::Active active(checked, &log);
-    checked.subject().operations[op::exp3_quaternion](V3(1, 2, 3));
+    CallLog::current() = &log;
+    erased(*subject).operations[op::exp3_quaternion](V3(1, 2, 3));
+    CallLog::current() = nullptr;
     ASSERT_EQ(log.findings.size(), 1u);
     EXPECT_EQ(log.findings[0].outcome, Outcome::output_unwritten);
     EXPECT_EQ(log.findings[0].operation, &op::exp3_quaternion);
@@ -215,11 +212,10 @@ TEST(CallChecks, ConcernTheFunctionsOfRobotsAndTrees) {
 }
 
 TEST(CallChecks, FindNothingInCorrectCallsOfAnyScalarAndLaw) {
-  for (const auto& [scalar, cases] :
-       {std::pair("float", 33u), std::pair("double", 33u), std::pair("float128", 1u)}) {
+  for (const char* scalar : {"float", "double"}) {
     CampaignOptions options;
     options.selection = {{"liecheck", "textbook"}, {}, {scalar}};
-    options.cases = cases, options.quiet = true;
+    options.cases = 33, options.quiet = true;
     const CampaignResult r = run_campaign(options, built_in_robot());
     EXPECT_GT(r.series.size(), 10u);
     for (const SeriesResult& s : r.series)

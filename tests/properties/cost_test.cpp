@@ -186,18 +186,18 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
   const auto all = typed_subjects<double>();
   const TypedSubject<double>& subject =
       **std::find_if(all.begin(), all.end(), [](const auto* s) { return s->name == "liecheck"; });
-  const auto laws = make_properties<double>();
+  const auto laws = make_properties(oracles::scalar_of<double>);
   SpatialSlots<double>::for_each([&](const auto& operation) {
     const std::string name(operation.name);
     const auto function = subject.operations[operation];
-    const Property<double>* law = law_of(operation, laws);
+    const Property* law = law_of(operation, laws);
     ASSERT_TRUE(law && function) << name;
     TypedSubject<double> only;
     only.operations.take(operation, subject.operations);
     const Signature signature = signature_of<double>(function);
     const auto fields = law->fields();
     const auto inputs = cost_inputs<double>(fields, 42, 4);
-    const auto blocks = score(*law, operation, only, inputs);
+    const auto blocks = score(*law, operation, erased(only), inputs);
     std::vector<BlockErrors> wide;
     for (const auto& x : inputs) {
       WideNumbers in, out;

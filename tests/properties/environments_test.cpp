@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 
 #include <campaign/robots.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <cstdlib>
 #include <environments/measure.hpp>
 #include <limits>

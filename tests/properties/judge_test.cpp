@@ -33,7 +33,7 @@ TEST(TheJudge, FindsALawWhoseLowerBoundOfKappaIsTooLarge) {
   constexpr Output output = op::exp6[block::translation];
   const Limits limits{{output.definition, {&excess, &excess}}};
   const auto outcome = [&](double kappa, double least) {
-    Judge judge(limits, Bands::of<double>(), 0x1p-52, 0, true);
+    Judge judge(limits, oracles::scalar_of<double>, 0, true);
     const auto f = [kappa] { return kappa; };
     judge.record(output, 0, 1.0, Kappa(f, least));
     return judge.judged.at(0).residual.outcome;
@@ -49,7 +49,7 @@ TEST(TheJudge, DividesALargeErrorByKappaHoweverLargeTheLimitIs) {
   constexpr Output output = op::exp6[block::translation];
   const Limits limits{{output.definition, {&wide, &wide}}};
   const auto excess = [&](double error) {
-    Judge judge(limits, Bands::of<double>(), 0x1p-52, 0);
+    Judge judge(limits, oracles::scalar_of<double>, 0);
     const auto f = [] { return 1e4; };
     judge.record(output, 0, error, Kappa(f, 2));
     return judge.judged.at(0).excess;
@@ -74,12 +74,12 @@ TEST(TheJudge, AsksForTheSideOfPiOnlyWhereTheLimitTellsBothApart) {
     const Vec<double, 4> Q(1, 0, 0, w);
     const std::vector<double> x =
         Joined<double>{Q, Mat<double, 3>(Mat<double, 3>::Identity()), Vec<double, 3>(0, 0, 0)};
-    for (const auto& law : make_properties<double>())
+    for (const auto& law : make_properties(oracles::scalar_of<double>))
       if (law->name() == "log_oracle") {
         Limits limits;
         for (const Output& o : law->outputs()) limits.push_back({o.definition, {&budget, &budget}});
-        Judge judge(limits, Bands::of<double>(), 0x1p-52, 0);
-        law->measure(subject, x, judge);
+        Judge judge(limits, oracles::scalar_of<double>, 0);
+        law->measure(erased(subject), x, judge);
         return judge.judged.at(0).residual.outcome;
       }
     return Outcome::unmeasured;
@@ -136,10 +136,10 @@ TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityEqualThoseOfFift
   for (int i = 0; i < 3000; ++i) {
     Vec<S, 3> phi;
     for (int k = 0; k < 3; ++k) phi[k] = small<S>(random);
-    const std::size_t slow = band_of_angle<S>(oracles::exact_vector<3, Real>(phi));
-    subnormal += slow == Bands::of<S>().underflowing(true);
+    const std::size_t slow = band_of_angle(oracles::scalar_of<S>, oracles::exact_vector<3, Real>(phi));
+    subnormal += slow == Bands::of(oracles::scalar_of<S>).underflowing(true);
     try {
-      EXPECT_EQ(band_of_angle<S>(oracles::exact_vector<3, DoubleDoubleBall>(phi)), slow) << phi.transpose();
+      EXPECT_EQ(band_of_angle(oracles::scalar_of<S>, oracles::exact_vector<3, DoubleDoubleBall>(phi)), slow) << phi.transpose();
       ++angles;
     } catch (const oracles::Undecided&) {
     }
@@ -150,7 +150,7 @@ TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityEqualThoseOfFift
     }
     const auto band = [&]<class T>(T) {
       const auto x0 = oracles::exact_vector<7, T>(q[0]), x1 = oracles::exact_vector<7, T>(q[1]);
-      return band_of_difference<S>(x0, x1, oracles::difference(x0, x1));
+      return band_of_difference(oracles::scalar_of<S>, x0, x1, oracles::difference(x0, x1));
     };
     try {
       const std::size_t fast = band(DoubleDoubleBall(0));

@@ -548,12 +548,12 @@ TEST(ConditionOracle, IgnoresAnInputThatIsZero) {
 
 TEST(ErrorMeasure, OfAQuaternionTakesTheNearerSignAndIgnoresTheNorm) {
   const Quaternion<> Q = exp_so3(vector(0.1, 0.2, 0.3)).Q;
-  EXPECT_LE(rotation_error<double>(Q, Q), 1e-30);
-  EXPECT_LE(rotation_error<double>(Real(-1.01) * Q, Q), 1e-30);
+  EXPECT_LE(rotation_error(scalar_of<double>, Q, Q), 1e-30);
+  EXPECT_LE(rotation_error(scalar_of<double>, Real(-1.01) * Q, Q), 1e-30);
   const double eps = std::numeric_limits<double>::epsilon();
   const Quaternion<> turned = quaternion_product(Q, exp_so3(along(vector(1, 2, 3), Real(5 * eps))).Q);
-  EXPECT_NEAR(rotation_error<double>(turned, Q), 5, 1e-9);
-  EXPECT_NEAR(norm_defect<double>(Real(1 + Real(eps)) * Q), 2, 1e-9);
+  EXPECT_NEAR(rotation_error(scalar_of<double>, turned, Q), 5, 1e-9);
+  EXPECT_NEAR(norm_defect(scalar_of<double>, Real(1 + Real(eps)) * Q), 2, 1e-9);
 }
 
 TEST(ErrorMeasure, OfARotationMatrixIsTheAngleOfItsPolarFactorOnly) {
@@ -561,25 +561,25 @@ TEST(ErrorMeasure, OfARotationMatrixIsTheAngleOfItsPolarFactorOnly) {
   const double eps = std::numeric_limits<double>::epsilon();
   const Mat3<> turned = e.R * exp_so3(along(vector(1, 2, 3), Real(5 * eps))).R;
   const Mat3<> stretched = Real(1 + Real(1e-9)) * turned;
-  EXPECT_NEAR(rotation_error<double>(stretched, e.Q), 5, 1e-9);
-  EXPECT_NEAR(orthogonality_defect<double>(stretched) * eps, 2e-9 * std::sqrt(3.0), 1e-17);
-  EXPECT_LE(rotation_error<double>(e.R, e.Q), 1e-30);
+  EXPECT_NEAR(rotation_error(scalar_of<double>, stretched, e.Q), 5, 1e-9);
+  EXPECT_NEAR(orthogonality_defect(scalar_of<double>, stretched) * eps, 2e-9 * std::sqrt(3.0), 1e-17);
+  EXPECT_LE(rotation_error(scalar_of<double>, e.R, e.Q), 1e-30);
 }
 
 TEST(ErrorMeasure, IsInfiniteForNotANumberAndTheLargestForWhatIsNoRotation) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(vector_error<double>(vector(nan, 0, 0), vector(1, 0, 0)), infinity);
-  EXPECT_EQ(rotation_error<double>(Quaternion<>{{Real(nan), Real(0), Real(0), Real(1)}},
+  EXPECT_EQ(vector_error(scalar_of<double>, vector(nan, 0, 0), vector(1, 0, 0)), infinity);
+  EXPECT_EQ(rotation_error(scalar_of<double>, Quaternion<>{{Real(nan), Real(0), Real(0), Real(1)}},
                                    exp_so3(vector(0, 0, 0)).Q),
             infinity);
   Mat3<> R = identity<3, Real>();
   R(0, 0) = -1;
   const double half_turn = 2 * std::sqrt(2.0) / std::numeric_limits<double>::epsilon();
-  EXPECT_DOUBLE_EQ(rotation_error<double>(R, exp_so3(vector(0, 0, 0)).Q), half_turn);
-  EXPECT_DOUBLE_EQ(rotation_error<double>(Quaternion<>{}, exp_so3(vector(0, 0, 0)).Q), half_turn);
+  EXPECT_DOUBLE_EQ(rotation_error(scalar_of<double>, R, exp_so3(vector(0, 0, 0)).Q), half_turn);
+  EXPECT_DOUBLE_EQ(rotation_error(scalar_of<double>, Quaternion<>{}, exp_so3(vector(0, 0, 0)).Q), half_turn);
   R(0, 0) = Real(nan);
-  EXPECT_EQ(rotation_error<double>(R, exp_so3(vector(0, 0, 0)).Q), infinity);
+  EXPECT_EQ(rotation_error(scalar_of<double>, R, exp_so3(vector(0, 0, 0)).Q), infinity);
   EXPECT_FALSE(all_finite(std::array<double, 2>{1, nan}));
   EXPECT_FALSE(all_finite(std::array<float128, 1>{std::numeric_limits<float128>::infinity()}));
   EXPECT_TRUE(all_finite(std::array<float, 2>{1, 2}));
@@ -587,20 +587,20 @@ TEST(ErrorMeasure, IsInfiniteForNotANumberAndTheLargestForWhatIsNoRotation) {
 
 TEST(ErrorMeasure, OfAVectorIsRelativeDownToTheSmallestDenominator) {
   const Vec3<> y = vector(1, 2, 2);
-  EXPECT_NEAR(vector_error<double>(Real(1 + Real(7 * std::numeric_limits<double>::epsilon())) * y, y), 7,
+  EXPECT_NEAR(vector_error(scalar_of<double>, Real(1 + Real(7 * std::numeric_limits<double>::epsilon())) * y, y), 7,
               1e-9);
   EXPECT_NEAR(
-      vector_error<double>(vector(1, 2, 2 + 3e-16), y, Real(30)) * std::numeric_limits<double>::epsilon(),
+      vector_error(scalar_of<double>, vector(1, 2, 2 + 3e-16), y, Real(30)) * std::numeric_limits<double>::epsilon(),
       static_cast<double>(exact<Real>(2 + 3e-16) - 2) / 30, 1e-20);
   // a result of 0 in place of the smallest subnormal number errs by 1 eps
-  const double underflowed = vector_error<double>(vector(0, 0, 0), vector(5e-324, 0, 0));
+  const double underflowed = vector_error(scalar_of<double>, vector(0, 0, 0), vector(5e-324, 0, 0));
   EXPECT_LE(underflowed, 1.0001);
   EXPECT_GT(underflowed, 0);
 }
 
 TEST(ErrorMeasure, OfALogAtThetaEqualToPiTakesTheNearerAxis) {
   const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
-  const TwistError a = log_error<double>(l.value(), l), b = log_error<double>(l.other, l);
+  const TwistError a = log_error(scalar_of<double>, l.value(), l), b = log_error(scalar_of<double>, l.other, l);
   EXPECT_LE(a.angular + a.linear + b.angular + b.linear, 1e-20);
 }
 

@@ -98,7 +98,7 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("lab league changes l.json l.json", "l.json: is no record of the league");
   refused("lab league findings none.json --out d", "none.json");
   refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a fixed number");
-  refused("campaign --subject eigen --scalar float128", "nothing to run");
+  refused("campaign --subject eigen --scalar float128", "--scalar: unknown scalar 'float128'");
   refused("report r.json --seed 3", "excludes");
 }
 

@@ -89,13 +89,13 @@ TYPED_TEST_SUITE(GeneratorStatements, Scalars);
 
 TYPED_TEST(GeneratorStatements, AboutFrequenciesHoldForEveryClass) {
   constexpr int n = 20000;
-  for (auto& property : make_properties<TypeParam>()) {
+  for (auto& property : make_properties(oracles::scalar_of<TypeParam>)) {
     property->prepare(built_in_robot());
     const auto fields = property->fields();
     Coverage coverage;
     for (int i = 0; i < n; ++i) {
       Source source(sha256(property->name() + std::to_string(i)));
-      coverage.add(fields, property->generate(source));
+      coverage.add(fields, property->generate(source), property->scalar());
     }
     for (std::size_t f = 0; f < fields.size(); ++f) {
       const auto& classes = classes_of(fields[f].kind);
@@ -116,7 +116,7 @@ TEST(CoverageReport, NamesTheClassesThatANarrowGeneratorNeverReaches) {
     Source source(sha256("narrow" + std::to_string(i)));
     std::vector<double> x(6);
     for (double& v : x) v = source.symmetric<double>();  // as a plain test would
-    tally.coverage.add(s->fields, x, {s->due, 0});
+    tally.coverage.add(s->fields, x, s->format(), {s->due, 0});
   }
   const auto all = coverage_of(*s, tally);
   const std::string line = coverage_line(all, tally);
@@ -142,7 +142,7 @@ TEST(CoverageReport, PassesForAFewCasesAndForTheWholeGenerator) {
 TEST(Shrinking, EndsInShortNumbers) {
   using V = std::vector<double>;
   const auto shrink = [](const V& x, Kind kind, auto fails) {
-    return shrink_input<double>(x, {{"x", kind, static_cast<int>(x.size()), ""}}, fails, 5000);
+    return shrink_input(x, {{"x", kind, static_cast<int>(x.size()), ""}}, oracles::scalar_of<double>, fails, 5000);
   };
   EXPECT_EQ(shrink({123.456, -7.5e9, 0.3}, Kind::vector, [](const V& x) { return x[1] != 0; }), (V{0, 1, 0}));
   EXPECT_EQ(shrink({1.234e-5, 2e-5, 0.3e-5}, Kind::rotation_vector,
@@ -161,7 +161,7 @@ TEST(Shrinking, EndsInShortNumbers) {
 
 TEST(Shrinking, KeepsOnlyTheJointsThatMatter) {
   using V = std::vector<double>;
-  const auto all = make_properties<double>();
+  const auto all = make_properties(oracles::scalar_of<double>);
   const auto law =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(law, all.end());
@@ -180,8 +180,8 @@ TEST(Shrinking, KeepsOnlyTheJointsThatMatter) {
     const V x = (*law)->generate(source);
     if (count(x, any) < 3 || count(x, spherical) == 0) continue;
     ++trees;
-    const V small = shrink_input<double>(
-        x, (*law)->fields(), [&](const V& y) { return (*law)->valid(y) && count(y, spherical) > 0; }, 5000,
+    const V small = shrink_input(
+        x, (*law)->fields(), (*law)->scalar(), [&](const V& y) { return (*law)->valid(y) && count(y, spherical) > 0; }, 5000,
         [&](const V& y) { return (*law)->simpler(y); });
     EXPECT_EQ(count(small, any), 1) << i;
   }

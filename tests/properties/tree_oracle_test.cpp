@@ -204,11 +204,11 @@ TEST(TreeOracle, TheBallsOfASolutionDoNotGrowWithTheNumberOfRows) {
 }
 
 TEST(RandomTrees, OneOf300HasUpTo40JointsAndEveryTreeIsValid) {
-  const auto all = make_properties<double>();
+  const auto all = make_properties(oracles::scalar_of<double>);
   const auto found =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(found, all.end());
-  const Property<double>& law = **found;
+  const Property& law = **found;
   int large = 0, most = 0, far = 0, invalid = 0;
   for (std::uint64_t index = 0; index < 10000; ++index) {
     Source source(Source::Key{7, 8, 9, index});

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
-#include <campaign/typed_series.hpp>
+#include <campaign/series.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -114,17 +114,17 @@ TEST(AnAccelerationOf1e30, FailsOnRandomTrees) {
 }
 
 /// The law exp_oracle, which says nothing about exp6 beyond `limit` [rad], or that its oracle did not resolve it.
-class ReturnsEarly final : public Property<double> {
+class ReturnsEarly final : public Property {
  public:
   ReturnsEarly(double limit, bool says_unresolved) : limit_(limit), says_unresolved_(says_unresolved) {
-    for (auto& p : make_properties<double>())
+    for (auto& p : make_properties(oracles::scalar_of<double>))
       if (p->name() == "exp_oracle") law_ = std::move(p);
   }
   const Statement& statement() const override { return law_->statement(); }
   std::vector<double> generate(Source& source) const override { return law_->generate(source); }
-  void measure(const TypedSubject<double>& subject, const std::vector<double>& x,
+  void measure(const Subject& subject, const std::vector<double>& x,
                Recorder& r) const override {
-    TypedSubject<double> some = subject;
+    Subject some = subject;
     const bool beyond = std::hypot(x[3], x[4], x[5]) > limit_;
     if (beyond) some.operations[op::exp6] = nullptr;
     law_->measure(some, x, r);
@@ -134,16 +134,17 @@ class ReturnsEarly final : public Property<double> {
   }
 
  private:
-  std::unique_ptr<Property<double>> law_;
+  std::unique_ptr<Property> law_;
   double limit_;
   bool says_unresolved_;
 };
 
 CampaignResult run_early(double limit, bool says_unresolved = false) {
+  static const Subject own_subject = erased(own());
   CampaignResult r;
   r.options.cases = 200;
-  r.series.push_back({std::make_unique<TypedSeries<double>>(
-                          std::make_unique<ReturnsEarly>(limit, says_unresolved), own(), built_in_robot()),
+  r.series.push_back({std::make_unique<Series>(
+                          std::make_unique<ReturnsEarly>(limit, says_unresolved), own_subject, built_in_robot()),
                       {}});
   auto& [series, tally] = r.series[0];
   for (std::uint64_t i = 0; i < r.options.cases; ++i) series->run(42, i, tally);
@@ -186,7 +187,7 @@ TEST(AnOutput, ThatWasIllPosedInMostCasesIsIncomplete) {
     const std::vector<double> x{0, 0, 0, 0, 0, 1};
     const std::uint32_t all = series->due;
     for (std::uint64_t i = 0; i < 1000; ++i, ++t.cases)
-      t.coverage.add(series->fields, x,
+      t.coverage.add(series->fields, x, series->format(),
                      i < measured ? MeasuredOutputs{all, 0} : MeasuredOutputs{all & ~1u, 1});
     const auto lines = not_measured(*series, t);
     const std::string named = "exp3_quaternion, rotation: measured in " + std::to_string(measured);
@@ -198,6 +199,7 @@ TEST(AnOutput, ThatWasIllPosedInMostCasesIsIncomplete) {
 
 /// Keeps the outcomes of one case.
 struct Outcomes final : Recorder {
+  Outcomes() : Recorder(oracles::scalar_of<double>) {}
   void record(const Output&, std::size_t, double, Kappa) override { all.push_back(Outcome::measured); }
   void outcome(const Output&, std::size_t, Outcome o) override { all.push_back(o); }
   std::vector<Outcome> all;
@@ -218,9 +220,9 @@ TEST(Coverage, CountsTheMeasurementsOfEachOutputByClass) {
   const std::vector<Field> fields = {{"phi", Kind::rotation_vector, 3, "rad"}};
   const std::vector<double> zero{0, 0, 0}, x{0, 0, 1.5};
   Coverage a, b;
-  a.add(fields, zero, {0b01, 0b10});
-  a.add(fields, x, {0b11, 0});
-  b.add(fields, x, {0b11, 0});
+  a.add(fields, zero, oracles::scalar_of<double>, {0b01, 0b10});
+  a.add(fields, x, oracles::scalar_of<double>, {0b11, 0});
+  b.add(fields, x, oracles::scalar_of<double>, {0b11, 0});
   a.merge(b);
   constexpr auto measured = &MeasuredOutputs::measured, ill_posed = &MeasuredOutputs::ill_posed;
   EXPECT_EQ(a.cases(), 3u);
