@@ -12,6 +12,7 @@ Command horizons_command(CLI::App& lab);
 Command lattice_command(CLI::App& lab);
 Command limits_command(CLI::App& lab);
 Command rounding_command(CLI::App& lab);
+Command scene_sweep_command(CLI::App& scene);
 Command speed_command(CLI::App& lab);
 Command sweep_command(CLI::App& lab);
 Command wire_command(CLI::App& lab);

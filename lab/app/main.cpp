@@ -21,6 +21,7 @@ const Program lab_program_of_authors{
       c.add({bugs_command, history_command, lattice_command, limits_command});
       c.heading("liecheck's own errors");
       c.add({sweep_command, bounds_command, rounding_command, horizons_command});
+      c.add_group("scene", "integrators against exact motions: docs/scenes.md", {scene_sweep_command});
       c.heading("speed of the harness");
       c.add({speed_command, wire_command});
       c.heading("the field");

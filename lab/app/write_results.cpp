@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <results/bench.hpp>
 #include <results/coefficients.hpp>
+#include <results/scenes.hpp>
 
 namespace liecheck::properties {
 
@@ -18,5 +19,6 @@ template void write_record_of(const std::string&, const LatticeResult&);
 template void write_record_of(const std::string&, const SpeedBench&);
 template void write_record_of(const std::string&, const WireBench&);
 template void write_record_of(const std::string&, const SweepResult&);
+template void write_record_of(const std::string&, const SceneSweepResult&);
 
 }  // namespace liecheck::properties

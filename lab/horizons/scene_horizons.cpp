@@ -8,6 +8,8 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <integrators/builtin.hpp>
+#include <integrators/make_runner.hpp>
 #include <scenes/runner.hpp>
 #include <scenes/truth.hpp>
 #include <support/stop.hpp>

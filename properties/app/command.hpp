@@ -20,8 +20,6 @@ struct CostOptions;
 struct CostResult;
 struct HardRow;
 struct Robot;
-struct SceneSweepOptions;
-struct SceneSweepResult;
 struct Selection;
 
 /// Exit codes of the program.
@@ -203,10 +201,6 @@ CostResult run_cost(CostOptions options);
 /// Adds the subjects of adapters, and those of liecheck beside them if no other subject was selected.
 void add_subjects(CostOptions& options, const std::vector<std::string>& adapters);
 
-/// Sweeps the scenes in the files. If there are no files, sweeps the built-in scenes and measures the long
-/// spins, and `flips` flips for each perturbation. Throws SceneError or std::invalid_argument.
-SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
-                                 std::size_t flips);
 
 // A command is added to a program or to a group of commands, such as "scene".
 
@@ -227,7 +221,6 @@ Command robot_command(CLI::App& program);
 Command cost_command(CLI::App& program);
 Command scene_run_command(CLI::App& scene);
 Command scene_explain_command(CLI::App& scene);
-Command scene_sweep_command(CLI::App& scene);
 Command scene_keys_command(CLI::App& scene);
 Command replay_command(CLI::App& program);
 Command report_command(CLI::App& program);

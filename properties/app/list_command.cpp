@@ -3,10 +3,8 @@
 #include <app/command.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <cctype>
 #include <operations/operations.hpp>
 #include <rules/rules.hpp>
-#include <scenes/peers/peer.hpp>
 #include <set>
 #include <subjects/subject.hpp>
 
@@ -34,12 +32,6 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
 void print_absent() {
   fmt::print("absent from this build\n");
   for (const std::string& name : absent_subjects()) fmt::print("  {:<12}{}\n", name, how_to_get(name));
-  for (const std::string& name : absent_peers()) {
-    std::string package = name;
-    std::ranges::transform(package, package.begin(), [](unsigned char c) { return std::tolower(c); });
-    fmt::print("  {:<12}install lib{}-dev and build again; a simulator for 'liecheck scene sweep'\n", name,
-               package);
-  }
 }
 
 /// Prints each operation with the blocks in which its error is measured.

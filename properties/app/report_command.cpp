@@ -8,7 +8,6 @@
 #include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
-#include <record/scenes.hpp>
 #include <reports/report.hpp>
 #include <set>
 #include <stdexcept>
@@ -107,24 +106,23 @@ fs::path run_campaign_of_report(const Flags& f) {
     write_record(file, record);
     if (stop_requested) print_interrupted(during);
   };
-  SceneSweepOptions scenes;
-  scenes.order_scenes = 3, scenes.order_seconds = 6;
-  scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
-  if (everything) {
-    const bool lab = !lab_program().empty();
-    if (!lab)
-      warn(
-          "the report has no sweep of every float and no proofs: the laboratory, liecheck-lab, is not "
-          "built\n");
-    const auto measured = [&](const char* key, std::vector<std::string> arguments) {
-      arguments.insert(arguments.end(), {"--jobs", std::to_string(f.cases.options.jobs)});
-      const nlohmann::json part = record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json");
-      if (part.is_null() && !stop_requested)
-        warn(fmt::format("the report has no part '{}': liecheck-lab ended without a record of it\n", key));
-      add_part(record, key, part);
-    };
-    if (lab) add(" during the sweep", [&] { measured("sweep", {"sweep"}); });
-    if (lab) add(" during the proofs", [&] { measured("bounds", {"bounds", "--boxes", "30000"}); });
+  const bool lab = !lab_program().empty();
+  const auto measured_in_lab = [&](const char* key, const std::vector<std::string>& arguments) {
+    const nlohmann::json part = record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json");
+    if (part.is_null() && !stop_requested)
+      warn(fmt::format("the report has no part '{}': liecheck-lab ended without a record of it\n", key));
+    add_part(record, key, part);
+  };
+  const std::string jobs = std::to_string(f.cases.options.jobs);
+  if (everything && !lab)
+    warn(
+        "the report has no sweep of every float, no proofs and no scenes: the laboratory, liecheck-lab, is "
+        "not built\n");
+  if (everything && lab) {
+    add(" during the sweep", [&] { measured_in_lab("sweep", {"sweep", "--jobs", jobs}); });
+    add(" during the proofs", [&] {
+      measured_in_lab("bounds", {"bounds", "--boxes", "30000", "--jobs", jobs});
+    });
   }
   if (timed)
     add(" during the timing", [&] {
@@ -135,8 +133,8 @@ fs::path run_campaign_of_report(const Flags& f) {
         warn(fmt::format("warning: the report has no times: {}\n", e.what()));
       }
     });
-  if (everything && !f.no_scenes)
-    add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
+  if (everything && lab && !f.no_scenes)
+    add(" during the scenes", [&] { measured_in_lab("scenes", {"scene", "sweep", "--for-report"}); });
   return file;
 }
 

@@ -1,7 +1,6 @@
 #include <app/campaign_run.hpp>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
-#include <record/scenes.hpp>
 #include <reports/summary.hpp>
 
 namespace liecheck::properties {
@@ -12,7 +11,6 @@ void write_record_of(const std::string& file, const Results&... results) {
 }
 
 template void write_record_of(const std::string&, const CostResult&);
-template void write_record_of(const std::string&, const SceneSweepResult&);
 template void write_record_of(const std::string&, const scene::Scene&, const scene::Run&);
 
 nlohmann::json full_record_of(const StoredRun& run) {

@@ -1,6 +1,5 @@
 #include <liecheck/scene/scene.hpp>
 #include <scenes/benchmark.hpp>
-#include <scenes/float128_algorithms.hpp>
 
 namespace liecheck::properties {
 
@@ -62,9 +61,7 @@ Benchmark benchmark_of(const scene::Scene& scene) {
   b.requests = scene.effects, b.around = scene.around;
   const auto shared = std::make_shared<scene::Scene>(scene);
   b.effects = [shared] { return scene::makeEffects<double>(*shared, shared->model); };
-  b.effects_float128 = [shared] {
-    return scene::makeEffects<float128>(*shared, sharpened(shared->model));
-  };
+  b.source = shared;
   for (const scene::Request& r : scene.effects) {
     b.effect_names.push_back(r.name + (r.name == "pd" && r.parameters.has("rows") ? " along rows" : ""));
     repeat(b, scene, r);

@@ -2,9 +2,9 @@
 // A scene as a benchmark: a robot, its initial state, a duration and effects.
 
 #include <Eigen/Core>
-#include <boost/multiprecision/float128.hpp>
 #include <functional>
 #include <liecheck/scene/effects/effect.hpp>
+#include <memory>
 #include <oracles/real.hpp>
 #include <string>
 #include <vector>
@@ -14,8 +14,6 @@ struct Scene;
 }
 
 namespace liecheck::properties {
-
-using float128 = boost::multiprecision::float128;
 
 /// A configuration [nq] and a velocity [nv] in the library's coordinates, in high precision.
 struct Moment {
@@ -37,14 +35,14 @@ struct Benchmark {
   /// the world [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there
   /// is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
-  std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
+  std::shared_ptr<const scene::Scene> source;  ///< what the effects are made from
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
   Eigen::VectorXd armature;               ///< of each coordinate [nv], empty if there is none
   std::vector<Servo> servos;              ///< the effects `pd` with constant targets
   std::vector<std::string> effect_names;  ///< of effects(), in its order; another one for `pd` with rows
   bool others = false;                    ///< whether a closed form lacks some of the effects
-  /// All effects and the surroundings as the scene describes them, for scenes/independent.hpp.
+  /// All effects and the surroundings as the scene describes them, for the independent formulations of the laboratory.
   std::vector<scene::Request> requests;
   scene::Surroundings around;
 
@@ -55,8 +53,5 @@ struct Benchmark {
 
 /// Throws std::invalid_argument if an effect does not fit the robot.
 Benchmark benchmark_of(const scene::Scene& scene);
-
-/// The built-in scenes, which a sweep runs if no scene is given. Their exact motions are known (truth.hpp).
-std::vector<Benchmark> builtin_benchmarks();
 
 }  // namespace liecheck::properties

@@ -46,9 +46,4 @@ class Runner {
   bool stopped() const { return stop && *stop; }
 };
 
-/// Returns liecheck's runner; scalar is "double" or "float128". With a tolerance of 0, an adaptive method
-/// accepts every step. Throws std::invalid_argument if the method cannot run this scene.
-std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& method,
-                                    const std::string& scalar);
-
 }  // namespace liecheck::properties

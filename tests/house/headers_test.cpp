@@ -12,8 +12,8 @@ namespace {
 
 TEST(Headers, OfTheLibraryCompileWithoutWarnings) {
   std::string unit;
-  for (const auto& [path, text] : sources({"lib"}))
-    if (path.ends_with(".hpp")) unit += "#include <" + path.substr(std::string("lib/").size()) + ">\n";
+  for (const auto& [path, text] : sources({"lib", "scenes"}))
+    if (path.ends_with(".hpp")) unit += "#include <" + path.substr(path.find('/') + 1) + ">\n";
   ASSERT_NE(unit.find("<liecheck/algorithms/aba.hpp>"), std::string::npos);
   // The compiler reports some warnings only where a template is instantiated.
   unit += "template class liecheck::Data<long double>;\ntemplate class liecheck::SO3<long double>;\n";

@@ -16,7 +16,7 @@ struct Room {
   std::vector<std::string> may_include;  ///< only rooms above it in the list, so that there is no cycle
 };
 
-/// lib/liecheck; includes start with "liecheck/".
+/// lib/liecheck and scenes/liecheck; includes start with "liecheck/".
 const std::vector<Room> library = {
     {"text", {}},
     {"scalar", {}},
@@ -25,10 +25,11 @@ const std::vector<Room> library = {
     {"algorithms", {"scalar", "spatial", "multibody"}},
     {"batch", {"scalar", "spatial", "multibody", "algorithms"}},
     {"urdf", {"text", "scalar", "spatial", "multibody"}},
-    {"scene", {"scalar", "spatial", "multibody", "algorithms"}},
-    {"scene_file", {"text", "scalar", "spatial", "multibody", "algorithms", "scene", "urdf"}},
     {"liecheck.hpp",
      {"spatial", "multibody", "algorithms", "urdf"}},  // the header of all that most programs need
+    // scenes/liecheck: the library does not know it.
+    {"scene", {"scalar", "spatial", "multibody", "algorithms"}},
+    {"scene_file", {"text", "scalar", "spatial", "multibody", "algorithms", "scene", "urdf"}},
 };
 
 /// properties, reports and lab; "lib" is any room of the library. Oracles that used lib would share its errors.
@@ -81,17 +82,18 @@ const std::vector<Room> harness = {
     {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"rounding",
      {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
-    {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes"}},
+    {"integrators", {"lib", "support", "oracles", "timing", "scenes"}},
+    {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes", "integrators"}},
     {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
     {"league",
      {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
       "campaign", "search", "failures", "tellings"}},
-    {"results", {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds"}},
+    {"results", {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds", "integrators"}},
     {"lab_app", {"lib",          "support",  "oracles",    "operations", "conventions", "generators",
                  "budgets",      "subjects", "invariants", "adapters",   "campaign",    "search",
                  "hard_cases",   "failures", "store",      "timing",     "tellings",    "record",
                  "reports",      "app",      "bugs",       "correct",    "history",     "lattice",
-                 "coefficients", "rounding", "horizons",   "bounds",     "league",      "results"}},
+                 "coefficients", "rounding", "horizons",   "bounds",     "league",      "results",     "integrators"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
@@ -125,8 +127,9 @@ std::vector<std::string> includes_of(const std::string& text) {
 /// The includes of a file that the order of the rooms forbids.
 std::vector<std::string> violations(const std::string& path, const std::string& text) {
   std::vector<std::string> bad;
-  const bool of_library = path.rfind("lib/", 0) == 0;
+  const bool of_scenes = path.rfind("scenes/", 0) == 0, of_library = path.rfind("lib/", 0) == 0 || of_scenes;
   const std::string own = path == "lib/liecheck/liecheck.hpp" ? "liecheck.hpp"
+                          : of_scenes                         ? folder_after("scenes/liecheck/", path)
                           : of_library                        ? folder_after("lib/liecheck/", path)
                           : path.rfind("reports/", 0) == 0    ? "reports"
                           : path.rfind("lab/app/", 0) == 0    ? "lab_app"
@@ -134,7 +137,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
                                                               : folder_after("properties/", path);
   const Room* room = find(of_library ? library : harness, own);
   const bool of_lab = path.rfind("lab/", 0) == 0;
-  if (!room || (path.rfind("properties/", 0) == 0 && is_of_lab(own)) || (of_lab && !is_of_lab(own)))
+  const bool wrong_folder = of_library && of_scenes != (own == "scene" || own == "scene_file");
+  if (!room || wrong_folder || (path.rfind("properties/", 0) == 0 && is_of_lab(own)) || (of_lab && !is_of_lab(own)))
     return {path + " is in no room of this test"};
   for (const std::string& include : includes_of(text)) {
     const std::string lib_room = folder_after("liecheck/", include), other = folder_after("", include);
@@ -160,7 +164,7 @@ TEST(Rooms, AreInAnOrderWithoutCycles) {
 }
 
 TEST(Rooms, EveryFileIncludesOnlyWhatItsRoomMay) {
-  const Files files = sources({"lib", "properties", "reports", "lab"});
+  const Files files = sources({"lib", "scenes", "properties", "reports", "lab"});
   EXPECT_GT(files.size(), 200u);
   for (const auto& [path, text] : files)
     for (const std::string& v : violations(path, text)) ADD_FAILURE() << v;
@@ -188,9 +192,11 @@ TEST(Rooms, ForbiddenIncludesAreFound) {
   EXPECT_EQ(count("lab/app/a.cpp", "app/command.hpp"), 0u);
   EXPECT_EQ(count("lib/liecheck/spatial/a.hpp", "liecheck/multibody/model.hpp"), 1u);
   EXPECT_EQ(count("lib/liecheck/multibody/a.hpp", "oracles/exp.hpp"), 1u);
-  EXPECT_EQ(count("lib/liecheck/scene/a.cpp", "liecheck/urdf/urdf.hpp"), 1u);
+  EXPECT_EQ(count("scenes/liecheck/scene/a.cpp", "liecheck/urdf/urdf.hpp"), 1u);
   EXPECT_EQ(count("lib/liecheck/algorithms/a.hpp", "liecheck/scene/tree.hpp"), 1u);
-  EXPECT_EQ(count("lib/liecheck/scene_file/a.cpp", "liecheck/urdf/urdf.hpp"), 0u);
+  EXPECT_EQ(count("lib/liecheck/scene/a.cpp", "liecheck/spatial/se3.hpp"), 1u);
+  EXPECT_EQ(count("scenes/liecheck/urdf/a.cpp", "liecheck/text/text_file.hpp"), 1u);
+  EXPECT_EQ(count("scenes/liecheck/scene_file/a.cpp", "liecheck/urdf/urdf.hpp"), 0u);
   EXPECT_EQ(count("lib/liecheck/urdf/a.cpp", "Eigen/Core"), 0u);
   EXPECT_EQ(count("properties/campaign/a.cpp", "invariants/property.hpp"), 0u);
 }
@@ -202,7 +208,7 @@ std::vector<std::string> cycles(const Files& files) {
   for (const auto& [path, text] : files)
     for (const std::string& include : includes_of(text))
       for (const std::string& candidate :
-           {"lib/" + include, "properties/" + include, "lab/" + include, include,
+           {"lib/" + include, "scenes/" + include, "properties/" + include, "lab/" + include, include,
             (fs::path(path).parent_path() / include).lexically_normal().string()})
         if (files.count(candidate) && unit(candidate) != unit(path))
           arrows[unit(path)].insert(unit(candidate));
@@ -229,7 +235,7 @@ std::vector<std::string> cycles(const Files& files) {
 }
 
 TEST(Includes, HaveNoCycle) {
-  for (const std::string& group : cycles(sources({"lib", "properties", "reports", "lab"})))
+  for (const std::string& group : cycles(sources({"lib", "scenes", "properties", "reports", "lab"})))
     ADD_FAILURE() << "these include each other: " << group;
 }
 

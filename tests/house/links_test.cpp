@@ -91,7 +91,7 @@ TEST(Links, ThatLeadNowhereAreFound) {
 TEST(Pages, ThatFilesNameExist) {
   static const std::regex page("\\bdocs/[a-z_]+\\.md");
   int named = 0;
-  for (const auto& [path, text] : sources({"lib", "properties", "adapters", "lab", "tests"}))
+  for (const auto& [path, text] : sources({"lib", "scenes", "properties", "adapters", "lab", "tests"}))
     for (std::sregex_iterator p(text.begin(), text.end(), page), end;
          p != end && !path.ends_with("links_test.cpp"); ++p, ++named)
       EXPECT_TRUE(fs::exists(top() / p->str())) << path << ": " << p->str();

@@ -1,6 +1,6 @@
 #pragma once
 // Loops written by hand for one scene and one method each, the classical Runge-Kutta-Munthe-Kaas method: a lower
-// bound of the cost of a step. They share no code with lib/liecheck/scene, except the kinematics and dynamics of
+// bound of the cost of a step. They share no code with scenes/liecheck/scene, except the kinematics and dynamics of
 // trees, and give the same bits.
 
 #include <algorithm>

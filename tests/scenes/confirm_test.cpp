@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <scenes/confirm.hpp>
-#include <scenes/reference.hpp>
+#include <integrators/confirm.hpp>
+#include <integrators/reference.hpp>
 
 #include "effect_scenes.hpp"
 

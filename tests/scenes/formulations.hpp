@@ -1,7 +1,8 @@
 #pragma once
 // The two formulations of a scene, and how far they are apart.
 
-#include <scenes/independent.hpp>
+#include <integrators/make_runner.hpp>
+#include <integrators/independent.hpp>
 #include <scenes/runner.hpp>
 
 #include "effect_scenes.hpp"

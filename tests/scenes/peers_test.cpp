@@ -5,8 +5,8 @@
 
 #include <liecheck/scene_file/scene_file.hpp>
 #include <map>
-#include <scenes/reference.hpp>
-#include <scenes/sweep.hpp>
+#include <integrators/reference.hpp>
+#include <integrators/sweep.hpp>
 
 namespace {
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <integrators/builtin.hpp>
+#include <integrators/make_runner.hpp>
 #include <scenes/benchmark.hpp>
-#include <scenes/spins.hpp>
-#include <scenes/sweep.hpp>
+#include <integrators/spins.hpp>
+#include <integrators/sweep.hpp>
 #include <set>
 
 namespace {

@@ -1,0 +1,39 @@
+#include <liecheck/scene/scene.hpp>
+#include <integrators/make_runner.hpp>
+#include <integrators/liecheck_runner.hpp>
+
+namespace liecheck::properties {
+
+extern template std::unique_ptr<Runner> liecheck_runner<Float128LoneBody>(const Benchmark&,
+                                                                          const std::string&,
+                                                                          const scene::Effects<float128>&);
+extern template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benchmark&, const std::string&,
+                                                                      const scene::Effects<float128>&);
+
+namespace {
+
+scene::Effects<float128> effects_in_float128(const Benchmark& b) {
+  if (!b.source) return {};
+  return scene::makeEffects<float128>(*b.source, sharpened(b.source->model));
+}
+
+}  // namespace
+
+std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& method,
+                                    const std::string& scalar) {
+  using scene::SystemKind;
+  const SystemKind kind = scene::kindOf(scene.robot, scene.effects(), method);
+  if (scalar == "float128") {
+    const auto make =
+        kind >= SystemKind::LoneBody ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
+    return make(scene, method, effects_in_float128(scene));
+  }
+  if (scalar != "double") throw std::invalid_argument("a scene runs in double or float128, not in " + scalar);
+  const auto make = kind == SystemKind::ThrownBody  ? liecheck_runner<scene::ThrownBody<double>>
+                    : kind == SystemKind::LoneBody  ? liecheck_runner<scene::LoneBody<double>>
+                    : kind == SystemKind::LoneJoint ? liecheck_runner<scene::LoneJoint<double>>
+                                                    : liecheck_runner<scene::Tree<double>>;
+  return make(scene, method, scene.effects());
+}
+
+}  // namespace liecheck::properties

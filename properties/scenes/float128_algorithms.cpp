@@ -1,7 +1,0 @@
-#include <scenes/float128_algorithms.hpp>
-
-namespace liecheck {
-
-template decltype(aba<float128>) aba<float128>;
-
-}  // namespace liecheck
