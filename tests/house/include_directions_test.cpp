@@ -41,7 +41,7 @@ const std::vector<Room> harness = {
     {"conventions", {"oracles", "operations"}},
     {"generators", {"oracles"}},
     {"budgets", {"support", "operations", "generators"}},
-    {"subjects", {"lib", "oracles", "operations"}},
+    {"subjects", {"lib", "support", "oracles", "operations"}},
     {"invariants", {"lib", "support", "oracles", "operations", "generators", "subjects"}},
     {"adapters", {"support", "operations", "conventions", "subjects", "invariants"}},
     {"campaign",
