@@ -22,8 +22,8 @@ const Program lab_program_of_authors{
       c.heading("liecheck's own errors");
       c.add({sweep_command, bounds_command, rounding_command, horizons_command});
       c.add_group("scene", "integrators against exact motions: docs/scenes.md", {scene_sweep_command});
-      c.heading("speed of the harness");
-      c.add({speed_command, wire_command});
+      c.heading("what accuracy costs, also in scalars wider than double; speed of the harness");
+      c.add({cost_command, speed_command, wire_command});
       c.heading("the field");
       c.add_with("league", league_command,
                  {league_findings_command, league_changes_command, league_measure_command});

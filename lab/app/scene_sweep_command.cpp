@@ -271,8 +271,9 @@ Command scene_sweep_command(CLI::App& scene) {
   a.toggle("--no-times", a->no_times, "do not measure times");
   a.toggle("--no-peers", a->no_peers, "leave out other simulators");
   a.duration("--for", a->options.seconds, "about how long all timing takes: 30s, 5m; default 20s");
-  a.toggle("--for-report", a->for_report,
-           "measure as much as 'liecheck report' shows, in about 40 s, with the costs of stages and with films");
+  a.toggle(
+      "--for-report", a->for_report,
+      "measure as much as 'liecheck report' shows, in about 40 s, with the costs of stages and with films");
   a.json(a->json, "write errors, orders, drift and times to FILE");
   return a.runs(run);
 }

@@ -1,5 +1,5 @@
-#include <liecheck/scene/scene.hpp>
 #include <integrators/builtin.hpp>
+#include <liecheck/scene/scene.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -1,5 +1,5 @@
-#include <oracles/motions/maximal_tree.hpp>
 #include <integrators/liecheck_runner.hpp>
+#include <oracles/motions/maximal_tree.hpp>
 
 namespace liecheck {
 

@@ -1,7 +1,7 @@
 #include <integrators/independent.hpp>
 
-#include <map>
 #include <integrators/independent_values.hpp>
+#include <map>
 
 namespace liecheck::properties {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <integrators/sweep.hpp>
+#include <map>
 
 namespace liecheck::properties {
 

@@ -2,12 +2,12 @@
 // Runners that simulate with liecheck in double or float128.
 
 #include <fmt/format.h>
+#include <integrators/float128_algorithms.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene/lone_body.hpp>
 #include <liecheck/scene/simulate.hpp>
 #include <liecheck/scene/tree.hpp>
 #include <oracles/number.hpp>
-#include <integrators/float128_algorithms.hpp>
 #include <scenes/runner.hpp>
 
 namespace liecheck::scene {

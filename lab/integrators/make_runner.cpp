@@ -1,6 +1,6 @@
-#include <liecheck/scene/scene.hpp>
-#include <integrators/make_runner.hpp>
 #include <integrators/liecheck_runner.hpp>
+#include <integrators/make_runner.hpp>
+#include <liecheck/scene/scene.hpp>
 
 namespace liecheck::properties {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <integrators/confirm.hpp>
+#include <integrators/make_runner.hpp>
+#include <integrators/reference.hpp>
 #include <limits>
 #include <optional>
-#include <integrators/make_runner.hpp>
-#include <integrators/confirm.hpp>
-#include <integrators/reference.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -131,10 +131,11 @@ Reference confirmed(Reference r, const Benchmark& s, const std::atomic<bool>* st
   for (const ErrorMeasure& m : error_measures) {
     const double apart = c.apart.*m.of, known = std::max(rounding, r.disagreement.*m.of);
     if (apart > 100 * known)
-      throw std::invalid_argument(fmt::format(
-          "{}: no reference: {} and maximal coordinates differ by {:.0e} in {}, and the first is known to {:.0e}: "
-          "take a shorter duration, or effects with fewer events",
-          s.name, r.name, apart, m.name, known));
+      throw std::invalid_argument(
+          fmt::format("{}: no reference: {} and maximal coordinates differ by {:.0e} in {}, and the first is "
+                      "known to {:.0e}: "
+                      "take a shorter duration, or effects with fewer events",
+                      s.name, r.name, apart, m.name, known));
   }
   r.disagreement.take_larger(c.apart);
   r.name += ", and extrapolation in maximal coordinates";

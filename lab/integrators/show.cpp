@@ -135,7 +135,8 @@ template <class Sys>
 Film film_of(const scene::Scene& s) {
   Film film{s.name, s.reason, s.integrator, s.span.duration * double(s.span.every) / double(s.span.steps), {},
             {},     {}};
-  if (s.around.ground && s.around.normal[2] == 1 && !s.around.mesh) film.ground = s.around.height;  // no slope
+  if (s.around.ground && s.around.normal[2] == 1 && !s.around.mesh)
+    film.ground = s.around.height;  // no slope
   for (std::size_t i = 1; i < s.model.names.size(); ++i) film.links.push_back(link_of(s.model, i));
   Sys system = scene::makeSystem<Sys>(s);
   auto state = scene::startOf<Sys>(s, system);
@@ -160,8 +161,8 @@ std::vector<StageCost> stage_costs() {
   std::vector<StageCost> all;
   for (const scene::Scene& s : {loadSceneText(flyer_text), loadSceneText(hinge_text), quadruped()})
     for (const scene::Stage& stage : scene::plan(s, true).stages) {
-      StageCost c{s.name, stage.name, stage.equation, "", stage.when, stage.why, stage.nanoseconds,
-                  stage.instructions};
+      StageCost c{s.name,     stage.name, stage.equation,    "",
+                  stage.when, stage.why,  stage.nanoseconds, stage.instructions};
       for (const auto& e : scene::effectEntries<double>())
         if (stage.name == e.info->name) c.energy = e.info->energy;
       for (const auto& e : scene::actuationEntries<double>())

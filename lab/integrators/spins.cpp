@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <integrators/liecheck_runner.hpp>
 #include <limits>
 #include <numbers>
 #include <oracles/motions/torque_free.hpp>
 #include <oracles/number.hpp>
-#include <integrators/liecheck_runner.hpp>
 #include <scenes/truth.hpp>
 
 namespace liecheck::properties {

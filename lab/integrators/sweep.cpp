@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <integrators/reference.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <limits>
-#include <integrators/reference.hpp>
 #include <timing/benchmarks.hpp>
 
 namespace liecheck::properties {

@@ -140,15 +140,15 @@ json cost_record(const StageCost& c) {
 
 json record_of(const SceneSweepResult& r) {
   json record = {{"version", LIECHECK_VERSION},
-          {"verdict", verdict_of(r.complete, r.wrong.empty())},
-          {"environment", environment()},
-          {"elapsed", r.elapsed},
-          {"wrong_orders", r.wrong},
-          {"absent", absent_peers()},
-          {"scenes", list_of(r.scenes, scene_record)},
-          {"peers", list_of(r.peers, peer_record)},
-          {"spins", list_of(r.spins, spin_record)},
-          {"flips", list_of(r.flips, flips_record)}};
+                 {"verdict", verdict_of(r.complete, r.wrong.empty())},
+                 {"environment", environment()},
+                 {"elapsed", r.elapsed},
+                 {"wrong_orders", r.wrong},
+                 {"absent", absent_peers()},
+                 {"scenes", list_of(r.scenes, scene_record)},
+                 {"peers", list_of(r.peers, peer_record)},
+                 {"spins", list_of(r.spins, spin_record)},
+                 {"flips", list_of(r.flips, flips_record)}};
   if (r.for_report) {
     record["costs"] = list_of(stage_costs(), cost_record);
     record["films"] = list_of(films(), film_record);

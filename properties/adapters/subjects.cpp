@@ -73,31 +73,33 @@ constexpr Outcome outcome_of(Status s) {
   return all[static_cast<std::size_t>(s)];
 }
 
+/// Calls an operation of the adapter of this thread with consecutive numbers, floats or doubles. Throws CallFailed.
+void call_numbers(int number, const OperationSizes& sizes, bool is_double, std::span<const std::byte> inputs,
+                  std::span<std::byte> results) {
+  std::array<Status, 1> status{};
+  std::string why;
+  try {
+    const Batch one{sizes, is_double, 1, inputs, results, status};
+    why = in_process(number) ? adapter(number).call(one) : call_together(adapter(number), one);
+  } catch (const AdapterFailed& e) {
+    throw CallFailed(e.what(), sizes.operation, Outcome::crashed);
+  }
+  if (status[0] == Status::done) return;
+  if (status[0] == Status::not_repeatable)
+    say_not_repeatable(adapter(number).description().name, sizes.operation, why);
+  throw CallFailed(in_words(status[0], why), sizes.operation, outcome_of(status[0]));
+}
+
+/// Its own function for each adapter, operation and scalar, since a slot is a plain pointer; so it is short.
 template <int number, const auto& operation, class S, class R, class... A>
 R call(A... arguments) {
   static const OperationSizes& sizes = *sizes_of(operation.name);
   std::array<S, (Shape<std::remove_cvref_t<A>>::size + ...)> inputs;
   std::array<S, Shape<R>::size> results;
-  std::array<Status, 1> status{};
   S* at = inputs.data();
   ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
-  std::string why;
-  try {
-    const Batch one{sizes,
-                    sizeof(S) == 8,
-                    1,
-                    std::as_bytes(std::span(inputs)),
-                    std::as_writable_bytes(std::span(results)),
-                    status};
-    why = in_process(number) ? adapter(number).call(one) : call_together(adapter(number), one);
-  } catch (const AdapterFailed& e) {
-    throw CallFailed(e.what(), operation.name, Outcome::crashed);
-  }
-  if (status[0] != Status::done) {
-    if (status[0] == Status::not_repeatable)
-      say_not_repeatable(adapter(number).description().name, operation.name, why);
-    throw CallFailed(in_words(status[0], why), operation.name, outcome_of(status[0]));
-  }
+  call_numbers(number, sizes, sizeof(S) == 8, std::as_bytes(std::span(inputs)),
+               std::as_writable_bytes(std::span(results)));
   return Shape<R>::get(results.data());
 }
 

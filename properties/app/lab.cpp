@@ -41,9 +41,14 @@ bool has_lab_subject(const std::vector<std::string>& arguments) {
   });
 }
 
-/// The command that compares integrators, which are simulated in float128 for it.
-bool is_scene_sweep(const std::vector<std::string>& words) {
-  return words.size() > 1 && words[0] == "scene" && words[1] == "sweep";
+/// Whether a command computes in scalars wider than double, with which only the laboratory is compiled: a comparison of
+/// integrators, or times in such a scalar.
+bool is_wide(const std::vector<std::string>& words) {
+  if (words[0] == "scene") return words.size() > 1 && words[1] == "sweep";
+  constexpr std::array wide{"float128", "double-double", "digits50", "digits100"};
+  return words[0] == "cost" && std::ranges::any_of(words, [&](const std::string& word) {
+           return std::ranges::any_of(wide, [&](const char* scalar) { return word.ends_with(scalar); });
+         });
 }
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
@@ -68,8 +73,7 @@ std::optional<int> run_in_lab(int argc, char** argv) {
   const std::string command = words.front();
   if (command == "lab")
     words.erase(words.begin());
-  else if (!is_scene_sweep(words) &&
-           (!std::ranges::count(shared_commands, command) || !has_lab_subject(words)))
+  else if (!is_wide(words) && (!std::ranges::count(shared_commands, command) || !has_lab_subject(words)))
     return std::nullopt;
   const std::string lab = lab_program();
   if (!lab.empty()) {

@@ -82,7 +82,6 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
 }  // namespace
 
 std::string how_to_get(const std::string& subject) {
-  if (subject.starts_with("liecheck")) return "install libqd-dev and build again";
   if (subject == "ceres") return "install libceres-dev and build again";
   std::string variable = subject;
   for (char& c : variable) c = static_cast<char>(c - 'a' + 'A');

@@ -78,9 +78,6 @@ std::vector<std::string> absent_subjects() {
   for (const char* name : other_libraries)
     if (std::ranges::none_of(registry<double>(), [&](const auto& e) { return e->typed.name == name; }))
       absent.push_back(name);
-#ifndef LIECHECK_QD
-  absent.push_back("liecheck in double-double (QD)");
-#endif
   return absent;
 }
 

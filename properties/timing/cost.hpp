@@ -59,7 +59,7 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, Ratio CostSet::*ti
 
 struct CostOptions {
   std::vector<std::string> operations, subjects, scalars;  ///< empty: all
-  std::vector<std::string> adapters;                       ///< as they were given; their subjects are registered
+  std::vector<std::string> adapters;  ///< as they were given; their subjects are registered
   std::uint64_t seed = 42;
   double seconds = 60;                          ///< approximate time for all timing
   std::size_t processes = 20, repetitions = 2;  ///< repetitions of each process
@@ -88,6 +88,8 @@ std::string times_in_this_process(const CostOptions& options);
 std::vector<std::string> cost_operations();
 std::vector<std::string> cost_subjects();
 /// The scalars that are timed, from the fewest to the most digits.
-const std::vector<std::string>& cost_scalars();
+std::vector<std::string> cost_scalars();
+/// The scalars of linked_wide_rows (rows.hpp): of the laboratory.
+std::vector<std::string>& linked_wide_scalars();
 
 }  // namespace liecheck::properties

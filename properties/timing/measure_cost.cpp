@@ -81,6 +81,17 @@ void check_known(const std::vector<std::string>& given, const std::vector<std::s
 
 }  // namespace
 
+std::vector<std::string>& linked_wide_scalars() {
+  static std::vector<std::string> names;
+  return names;
+}
+
+std::vector<std::string> cost_scalars() {
+  std::vector<std::string> all = {"float", "double"};
+  all.insert(all.end(), linked_wide_scalars().begin(), linked_wide_scalars().end());
+  return all;
+}
+
 std::vector<std::string> cost_operations() {
   std::vector<std::string> all;
   const Laws laws = make_properties(oracles::scalar_of<double>);
@@ -108,7 +119,7 @@ CostPlan plan_of(const CostOptions& options, bool scored) {
   const Laws laws = make_properties(oracles::scalar_of<double>);
   add_scalar<float>(plan, "float", laws);
   add_scalar<double>(plan, "double", laws);
-  add_tiers(plan, laws);
+  if (linked_wide_rows) linked_wide_rows(plan, laws);
   if (plan.rows.empty() && !plan.stopped())
     throw std::invalid_argument(
         "nothing to time: no selected subject offers a selected operation in that scalar");

@@ -185,8 +185,7 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
   });
 }
 
-/// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is
-/// installed), float128, and 50 and 100 digits (MPFR).
-void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws);
+/// Adds rows of the library in scalars wider than double, on double's inputs. Null in a program that links none of them.
+inline void (*linked_wide_rows)(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws) = nullptr;
 
 }  // namespace liecheck::properties

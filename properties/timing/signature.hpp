@@ -7,10 +7,24 @@
 #include <cstring>
 #include <memory>
 #include <operations/values.hpp>
-#include <timing/wide_errors.hpp>
+#include <oracles/number.hpp>
 #include <tuple>
+#include <vector>
 
 namespace liecheck::properties {
+
+/// The exact values of an operation's arguments or of its result, in the order of its layouts. Matrices are
+/// row by row.
+using WideNumbers = std::vector<oracles::Real100>;
+
+/// The exact value of a number.
+template <class S>
+oracles::Real100 wide(const S& x) {
+  if constexpr (requires { x._hi(); })  // a double-double of QD
+    return oracles::Real100(x._hi()) + oracles::Real100(x._lo());
+  else
+    return oracles::exact<oracles::Real100>(x);
+}
 
 /// A function of a subject, without its type.
 using AnyFunction = void (*)();

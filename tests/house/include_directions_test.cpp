@@ -82,18 +82,21 @@ const std::vector<Room> harness = {
     {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"rounding",
      {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
+    {"wide", {"lib", "oracles", "operations", "subjects", "invariants", "timing"}},
     {"integrators", {"lib", "support", "oracles", "timing", "scenes"}},
     {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes", "integrators"}},
     {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
     {"league",
      {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
       "campaign", "search", "failures", "tellings"}},
-    {"results", {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds", "integrators"}},
-    {"lab_app", {"lib",          "support",  "oracles",    "operations", "conventions", "generators",
-                 "budgets",      "subjects", "invariants", "adapters",   "campaign",    "search",
-                 "hard_cases",   "failures", "store",      "timing",     "tellings",    "record",
-                 "reports",      "app",      "bugs",       "correct",    "history",     "lattice",
-                 "coefficients", "rounding", "horizons",   "bounds",     "league",      "results",     "integrators"}},
+    {"results",
+     {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds", "integrators"}},
+    {"lab_app",
+     {"lib",      "support",    "oracles",     "operations",   "conventions", "generators", "budgets",
+      "subjects", "invariants", "adapters",    "campaign",     "search",      "hard_cases", "failures",
+      "store",    "timing",     "tellings",    "record",       "reports",     "app",        "bugs",
+      "correct",  "history",    "lattice",     "coefficients", "rounding",    "horizons",   "bounds",
+      "league",   "results",    "integrators", "wide"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
@@ -138,7 +141,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
   const Room* room = find(of_library ? library : harness, own);
   const bool of_lab = path.rfind("lab/", 0) == 0;
   const bool wrong_folder = of_library && of_scenes != (own == "scene" || own == "scene_file");
-  if (!room || wrong_folder || (path.rfind("properties/", 0) == 0 && is_of_lab(own)) || (of_lab && !is_of_lab(own)))
+  if (!room || wrong_folder || (path.rfind("properties/", 0) == 0 && is_of_lab(own)) ||
+      (of_lab && !is_of_lab(own)))
     return {path + " is in no room of this test"};
   for (const std::string& include : includes_of(text)) {
     const std::string lib_room = folder_after("liecheck/", include), other = folder_after("", include);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <operations/operations.hpp>
 #include <oracles/slice_reference.hpp>
-#include <timing/wide_errors.hpp>
+#include <wide/wide_errors.hpp>
 
 namespace liecheck::properties {
 namespace {

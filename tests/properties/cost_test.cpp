@@ -9,7 +9,7 @@
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
-#include <timing/wide_errors.hpp>
+#include <wide/wide_errors.hpp>
 
 #include "../scratch.hpp"
 

@@ -1,7 +1,7 @@
 // liecheck's own library in float128, for `liecheck cost`.
 
 #include <subjects/liecheck_operations.hpp>
-#include <subjects/wide_scalars.hpp>
+#include <wide/wide_scalars.hpp>
 
 namespace liecheck::properties {
 

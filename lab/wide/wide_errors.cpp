@@ -1,9 +1,9 @@
-#include <timing/wide_errors.hpp>
+#include <wide/wide_errors.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <timing/wide_case.hpp>
+#include <wide/wide_case.hpp>
 
 namespace liecheck::properties {
 

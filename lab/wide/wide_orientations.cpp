@@ -1,7 +1,7 @@
 // The operations between rotations and directions, Euler angles, rates and poses in the plane at 100 digits.
 
 #include <oracles/orientations.hpp>
-#include <timing/wide_case.hpp>
+#include <wide/wide_case.hpp>
 
 namespace liecheck::properties {
 

@@ -9,23 +9,10 @@
 // 100 digits.
 
 #include <operations/operation.hpp>
-#include <oracles/number.hpp>
 #include <timing/cost.hpp>
+#include <timing/signature.hpp>
 
 namespace liecheck::properties {
-
-/// The exact values of an operation's arguments or of its result, in the order of its layouts. Matrices are
-/// row by row.
-using WideNumbers = std::vector<oracles::Real100>;
-
-/// The exact value of a number.
-template <class S>
-oracles::Real100 wide(const S& x) {
-  if constexpr (requires { x._hi(); })  // a double-double of QD
-    return oracles::Real100(x._hi()) + oracles::Real100(x._lo());
-  else
-    return oracles::exact<oracles::Real100>(x);
-}
 
 /// Adds the error of each block of `operation`, in units of eps. Throws std::logic_error for an operation
 /// that has no closed form here.

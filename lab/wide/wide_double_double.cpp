@@ -1,6 +1,6 @@
 // liecheck's own library in the double-double type of the QD library. Only `liecheck cost` uses it.
 
-#include <subjects/wide_scalars.hpp>
+#include <wide/wide_scalars.hpp>
 
 #ifdef LIECHECK_QD
 #include <subjects/liecheck_operations.hpp>

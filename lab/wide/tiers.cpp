@@ -1,7 +1,7 @@
 #include <boost/multiprecision/eigen.hpp>
-#include <subjects/wide_scalars.hpp>
 #include <timing/rows.hpp>
-#include <timing/wide_errors.hpp>
+#include <wide/wide_errors.hpp>
+#include <wide/wide_scalars.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -33,17 +33,6 @@ void add_tier(CostPlan& plan, const std::string& scalar, std::size_t each,
           AnyFunction f) { return wide_score(operation, law, signature, f, eps); });
 }
 
-}  // namespace
-
-const std::vector<std::string>& cost_scalars() {
-  static const std::vector<std::string> all = {"float",         "double",
-#ifdef LIECHECK_QD
-                                               "double-double",
-#endif
-                                               "float128",      "digits50", "digits100"};
-  return all;
-}
-
 void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws) {
   // Fewer inputs than in double, because a call takes a hundred or a thousand times as long.
   const std::size_t few = std::max<std::size_t>(1, plan.options.inputs_per_band / 32),
@@ -56,4 +45,15 @@ void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& law
   add_tier<Digits100>(plan, "digits100", fewer, laws);
 }
 
+const bool linked = [] {
+  linked_wide_rows = &add_tiers;
+  linked_wide_scalars() = {
+#ifdef LIECHECK_QD
+      "double-double",
+#endif
+      "float128", "digits50", "digits100"};
+  return true;
+}();
+
+}  // namespace
 }  // namespace liecheck::properties

@@ -1,7 +1,7 @@
 // liecheck's own library with 100 digits. Only `liecheck cost` uses it.
 
 #include <subjects/liecheck_operations.hpp>
-#include <subjects/wide_scalars.hpp>
+#include <wide/wide_scalars.hpp>
 
 namespace liecheck::properties {
 
