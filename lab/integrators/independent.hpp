@@ -4,10 +4,13 @@
 // scene, and nothing else.
 
 #include <atomic>
+#include <boost/multiprecision/float128.hpp>
 #include <oracles/motions/maximal_motion.hpp>
 #include <scenes/benchmark.hpp>
 
 namespace liecheck::properties {
+
+using float128 = boost::multiprecision::float128;
 
 /// The names of the effects and actuations that it knows.
 std::vector<std::string> independent_laws();

@@ -1,6 +1,7 @@
 #pragma once
 // Batches of liecheck as rows of `cost`: one call computes all inputs, so a batch has no latency.
 
+#include <operations/operation.hpp>
 #include <timing/signature.hpp>
 
 namespace liecheck::properties {
