@@ -33,7 +33,7 @@ struct Status {
   std::string word, why;  ///< of the schema of horizons
 };
 
-/// What a walk of liecheck must keep: docs/horizons.md.
+/// What a walk of liecheck must keep: docs/laboratory.md.
 Status status_of(const Horizon& h) {
   const bool ours = h.subject == "liecheck";
   if (!is_finite(h)) return {ours ? "fail" : "not judged", "not finite"};
@@ -120,7 +120,7 @@ Command horizons_command(CLI::App& lab) {
                        "measure the drift over many calls: the drift of norm and attitude over many calls of "
                        "integrate, of products with a "
                        "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
-                       "liecheck keeps what docs/horizons.md says; 1 if not; 2 for bad input; 3 if stopped");
+                       "liecheck keeps what docs/laboratory.md says; 1 if not; 2 for bad input; 3 if stopped");
   a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
   a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");
   a.list("--walk", a->walks, "WALK",

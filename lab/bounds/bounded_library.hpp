@@ -1,6 +1,6 @@
 #pragma once
 // What the library computes on the scalar Bounded otherwise than by its own operations: error-free transformations, sums of
-// split factors, polynomials, and what is assumed of the inputs. docs/bounds.md names the sources.
+// split factors, polynomials, and what is assumed of the inputs. docs/laboratory.md names the sources.
 
 #include <bounds/bounded.hpp>
 #include <liecheck/scalar/compensated.hpp>

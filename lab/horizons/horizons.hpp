@@ -13,7 +13,7 @@ namespace liecheck::properties {
 /// What each step of a walk calls.
 enum class Step { integrate, first_order_normalize, normalize, compose, scene };
 
-/// A way in which an attitude is moved: docs/horizons.md.
+/// A way in which an attitude is moved: docs/laboratory.md.
 struct Walk {
   const char* name;
   Step step;

@@ -1,6 +1,7 @@
 #pragma once
 // The algorithms of trees in float128, compiled once, in float128_algorithms.cpp and float128_tree.cpp.
 
+#include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/float128.hpp>
 #include <liecheck/algorithms/aba.hpp>
 

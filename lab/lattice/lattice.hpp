@@ -1,5 +1,5 @@
 #pragma once
-// The lattice of faults: bases x operations x triggers, each with a drawn perturbation. docs/lattice.md
+// The lattice of faults: bases x operations x triggers, each with a drawn perturbation. docs/laboratory.md
 // explains the table and lists what is not found.
 
 #include <lattice/row.hpp>

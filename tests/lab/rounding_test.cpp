@@ -60,7 +60,7 @@ TEST(RandomRounding, EstimatesTheDigitsOfLiecheckWithinOne) {
                              "liecheck tree_rnea tau states of a quadruped"})
     EXPECT_TRUE(all.contains(needed)) << needed;
   for (const auto& [name, row] : all) {
-    // The one place where the estimate of liecheck is wrong by more than a digit: docs/rounding.md.
+    // The one place where the estimate of liecheck is wrong by more than a digit: docs/laboratory.md.
     if (name.starts_with("liecheck rotation_between Q pi-theta")) continue;
     EXPECT_LT(std::abs(row.estimated - row.actual), 1) << name;
     EXPECT_LT(std::abs(row.without_exemption - row.actual), 1) << name;
