@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <store/stored_run.hpp>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -287,7 +288,8 @@ TEST(CaseIds, AreParsedBackFromTheirText) {
 }
 
 TEST(Numbers, HexadecimalFloatsAreParsedBackBitForBit) {
-  for (double x : {0.1, -0.0, 5e-324, 1.7e308}) EXPECT_EQ(parse_float(hexadecimal_float(x), oracles::scalar_of<double>), x);
+  for (double x : {0.1, -0.0, 5e-324, 1.7e308})
+    EXPECT_EQ(parse_float(hexadecimal_float(x), oracles::scalar_of<double>), x);
   EXPECT_THROW(parse_float("1.0x", oracles::scalar_of<double>), std::invalid_argument);
   EXPECT_EQ(parse_float("inf", oracles::scalar_of<double>), INFINITY);
   EXPECT_EQ(parse_float("3e-324", oracles::scalar_of<double>), 5e-324);  // rounded, but not to 0

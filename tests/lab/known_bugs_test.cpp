@@ -3,6 +3,7 @@
 #include <bugs/known_bugs.hpp>
 #include <bugs/weak_tests.hpp>
 #include <set>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {

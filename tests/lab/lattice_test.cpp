@@ -9,6 +9,7 @@
 #include <lattice/lattice.hpp>
 #include <numbers>
 #include <set>
+#include <subjects/typed.hpp>
 #include <support/files.hpp>
 
 namespace liecheck::properties {

@@ -4,6 +4,7 @@
 #include <adapters/shapes.hpp>
 #include <algorithm>
 #include <numbers>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::conventions {
 namespace {

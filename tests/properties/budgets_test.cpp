@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <subjects/typed.hpp>
 #include <timing/kernels.hpp>
 
 namespace liecheck::properties {
@@ -127,15 +128,16 @@ class SeriesOfCases {
       auto all = select({{subject}, {property}, {scalar}}, robot_);
       if (!all.empty()) series = std::move(all[0]);
     } else if (!series && !is_tree_law(property) && scalar == "double" && subject == "liecheck") {
-      if (const TypedSubject<double>* module = fused()) series = series_of(property, *module, robot_);
+      if (const Subject* module = fused()) series = series_of(property, *module, robot_);
     }
     return series.get();
   }
 
  private:
-  const TypedSubject<double>* fused() {
+  const Subject* fused() {
 #if defined(__x86_64__)
-    if (modules_.empty() && has_kernels() && __builtin_cpu_supports("fma")) modules_ = load_kernels();
+    if (modules_.empty() && has_kernels() && __builtin_cpu_supports("fma"))
+      for (const TypedSubject<double>& module : load_kernels()) modules_.push_back(erased(module));
 #endif
     for (const auto& m : modules_)
       if (m.name == "liecheck@gcc-O3-native") return &m;
@@ -143,7 +145,7 @@ class SeriesOfCases {
   }
 
   Robot robot_ = built_in_robot();
-  std::vector<TypedSubject<double>> modules_;
+  std::vector<Subject> modules_;
   std::map<std::string, std::unique_ptr<Series>> made_;
 };
 
@@ -163,7 +165,8 @@ TEST(Budgets, EveryHuntedMaximumIsReproducedByItsHardCase) {
     if (!series && b.fma)
       continue;  // of() knows FMA only in double, without trees, and on a processor with FMA
     ASSERT_TRUE(series) << name_of(b);
-    const double found = largest(b, *series, numbers_of(c, series->fields, oracles::scalar_named(c.scalars[0])));
+    const double found =
+        largest(b, *series, numbers_of(c, series->fields, oracles::scalar_named(c.scalars[0])));
     EXPECT_GE(found, reproduced * b.value) << name_of(b) << ": " << c.name;
     EXPECT_LE(found, b.limit) << name_of(b) << ": " << c.name;
     ++replayed;

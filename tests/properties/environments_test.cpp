@@ -11,6 +11,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::environments {
 namespace {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <set>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {

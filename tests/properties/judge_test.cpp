@@ -6,6 +6,7 @@
 #include <oracles/ball_oracles.hpp>
 #include <oracles/closed_forms.hpp>
 #include <random>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -139,7 +140,8 @@ TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityEqualThoseOfFift
     const std::size_t slow = band_of_angle(oracles::scalar_of<S>, oracles::exact_vector<3, Real>(phi));
     subnormal += slow == Bands::of(oracles::scalar_of<S>).underflowing(true);
     try {
-      EXPECT_EQ(band_of_angle(oracles::scalar_of<S>, oracles::exact_vector<3, DoubleDoubleBall>(phi)), slow) << phi.transpose();
+      EXPECT_EQ(band_of_angle(oracles::scalar_of<S>, oracles::exact_vector<3, DoubleDoubleBall>(phi)), slow)
+          << phi.transpose();
       ++angles;
     } catch (const oracles::Undecided&) {
     }

@@ -12,6 +12,7 @@
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
+#include <subjects/typed.hpp>
 #include <support/files.hpp>
 
 #include "../scratch.hpp"

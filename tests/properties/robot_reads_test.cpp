@@ -5,6 +5,7 @@
 #include <atomic>
 #include <campaign/campaign.hpp>
 #include <stdexcept>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties {
 namespace {

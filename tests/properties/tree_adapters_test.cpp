@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <subjects/typed.hpp>
 
 #include "../scratch.hpp"
 
@@ -65,7 +66,8 @@ std::map<std::string, Row> rows_of(const std::string& command, const char* law, 
   subject.operations.tree = [adapter](const Tree<double>& tree) {
     return tree_operations(tree, adapter->description(), [adapter]() -> Adapter& { return *adapter; });
   };
-  const auto series = series_of(law, subject, robot);
+  const Subject tested = erased(subject);
+  const auto series = series_of(law, tested, robot);
   Tally tally;
   for (std::uint64_t i = 0; i < cases; ++i) series->run(42, i, tally);
   std::map<std::string, Row> rows;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <subjects/typed.hpp>
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -139,13 +140,14 @@ TEST(RobotModels, TakeTheOperationsOnConfigurationsOverTheWire) {
   subject.operations.robot = [](const std::string& urdf, bool fixed) {
     return robot_operations<double>(urdf, fixed, []() -> Adapter& { return own_robots(); });
   };
+  const Subject tested = erased(subject);
   EXPECT_TRUE(offers_robots(own_robots().description(), "double"));
   EXPECT_FALSE(offers_robots(own_robots().description(), "float"));
   for (const bool fault : {false, true}) {
     own_robots().fault = fault;
     for (const char* law : {"robot_configuration", "robot_derivatives"}) {
       Tally tally;
-      for (std::uint64_t i = 0; i < 20; ++i) series_of(law, subject, built_in_robot())->run(42, i, tally);
+      for (std::uint64_t i = 0; i < 20; ++i) series_of(law, tested, built_in_robot())->run(42, i, tally);
       std::uint64_t failed = 0;
       for (const auto& [cell, row] : tally.rows) failed += row.failed;
       EXPECT_EQ(failed > 0, fault && law == std::string("robot_derivatives")) << law;

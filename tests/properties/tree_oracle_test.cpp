@@ -204,7 +204,7 @@ TEST(TreeOracle, TheBallsOfASolutionDoNotGrowWithTheNumberOfRows) {
 }
 
 TEST(RandomTrees, OneOf300HasUpTo40JointsAndEveryTreeIsValid) {
-  const auto all = make_properties(oracles::scalar_of<double>);
+  const auto all = make_properties(scalar_of<double>);
   const auto found =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(found, all.end());
