@@ -32,6 +32,8 @@ using oracles::Real;
 constexpr std::uint64_t block = 64;
 constexpr std::size_t sequences = 16;
 
+constexpr auto number_of = [](const json& text) { return parse_float(text, oracles::scalar_of<double>); };
+
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64: Steele, Lea & Flood 2014
   x += 0x9e3779b97f4a7c15;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -161,14 +163,12 @@ class Path {
   }
   void restore(const json& s) {
     if (!s.at("n").is_number_unsigned()) throw std::invalid_argument("its number of steps is no count");
-    n_ = s.at("n"), norm_ = parse_float(s.at("norm"), oracles::scalar_of<double>),
-    longest_ = parse_float(s.at("longest"), oracles::scalar_of<double>);
+    n_ = s.at("n"), norm_ = number_of(s.at("norm")), longest_ = number_of(s.at("longest"));
     const json& x = s.at("numbers");
     std::size_t at = 0;
-    for (int i = 0; i < 7; ++i) q_[i] = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
-    for (int i = 0; i < 9; ++i)
-      X_.R(i / 3, i % 3) = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
-    for (int i = 0; i < 3; ++i) X_.p[i] = static_cast<S>(parse_float(x.at(at++), oracles::scalar_of<S>));
+    for (int i = 0; i < 7; ++i) q_[i] = static_cast<S>(number_of(x.at(at++)));
+    for (int i = 0; i < 9; ++i) X_.R(i / 3, i % 3) = static_cast<S>(number_of(x.at(at++)));
+    for (int i = 0; i < 3; ++i) X_.p[i] = static_cast<S>(number_of(x.at(at++)));
     for (int i = 0; i < 4; ++i)
       truth_[i] = Real(s.at("truth").at(static_cast<std::size_t>(i)).get<std::string>());
   }
@@ -272,9 +272,7 @@ std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& n
   std::vector<std::pair<double, double>> errors;
   if (const json before = shared.get(name); !before.is_null()) try {
       path.restore(before);
-      for (const json& e : before.at("errors"))
-        errors.emplace_back(parse_float(e.at(0), oracles::scalar_of<double>),
-                            parse_float(e.at(1), oracles::scalar_of<double>));
+      for (const json& e : before.at("errors")) errors.emplace_back(number_of(e.at(0)), number_of(e.at(1)));
       // A checkpoint that was reached exactly may have been written before its errors.
       const auto below = std::ranges::lower_bound(at, path.n()) - at.begin(),
                  reached = std::ranges::upper_bound(at, path.n()) - at.begin();

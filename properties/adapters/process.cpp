@@ -118,7 +118,9 @@ class Process : public Adapter {
 
  private:
   void end(const Batch& b, const std::string& how) {
-    if (!b.of_many) say_failed(description_.name, b.operation.operation, how, child_ ? child_->errors() : "");
+    const std::string errors =
+        child_ ? child_->errors() : "";  // of many calls, each is made again, and says it again
+    if (!b.of_many) say_failed(description_.name, b.operation.operation, how, errors);
     child_.reset();
   }
   virtual std::unique_ptr<Child> child(double timeout_s) = 0;

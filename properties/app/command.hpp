@@ -229,5 +229,6 @@ Command export_command(CLI::App& program);
 Command compare_command(CLI::App& program);
 Command completion_command(CLI::App& program);
 Command lab_command(CLI::App& program);
+Command lab_scene_sweep_command(CLI::App& scene);
 
 }  // namespace liecheck::properties

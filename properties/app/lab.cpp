@@ -118,13 +118,29 @@ nlohmann::json record_of_lab(std::vector<std::string> words, const std::string& 
   return record;
 }
 
-Command lab_command(CLI::App& program) {
+namespace {
+
+/// A command that run_in_lab() runs: named here for the list of commands.
+Command passed_on(CLI::App& program, const char* name, const char* help) {
   struct Flags {};
-  return CommandWith<Flags>(
-             program, "lab",
-             "what measures liecheck itself: 'liecheck lab --help'. Exit code of liecheck-lab; 2 if "
-             "it is not built")
-      .runs(+[](const Flags&) -> int { throw std::logic_error("the program runs the laboratory itself"); });
+  return CommandWith<Flags>(program, name, help).runs(+[](const Flags&) -> int {
+    throw std::logic_error("the laboratory runs this command");
+  });
+}
+
+}  // namespace
+
+Command lab_command(CLI::App& program) {
+  return passed_on(program, "lab",
+                   "what measures liecheck itself: 'liecheck lab --help'. Exit code of liecheck-lab; 2 if "
+                   "it is not built");
+}
+
+Command lab_scene_sweep_command(CLI::App& scene) {
+  return passed_on(
+      scene, "sweep",
+      "compare integrators with exact motions, in the laboratory. Exit code of liecheck-lab; 2 if it "
+      "is not built");
 }
 
 }  // namespace liecheck::properties

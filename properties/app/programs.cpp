@@ -18,7 +18,7 @@ const Program liecheck_program{
       c.heading("robots and scenes");
       c.add({robot_command});
       c.add_group("scene", "simulate a motion that a file describes: docs/scenes.md",
-                  {scene_run_command, scene_explain_command, scene_keys_command});
+                  {scene_run_command, scene_explain_command, lab_scene_sweep_command, scene_keys_command});
       c.heading("campaigns on many machines");
       c.add({merge_command, export_command});
       c.heading("laboratory");

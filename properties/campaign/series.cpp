@@ -1,3 +1,4 @@
+// Longer than 400 lines: the members of one class, which each measure or judge one case.
 #include <campaign/series.hpp>
 #include <campaign/window.hpp>
 

@@ -55,12 +55,14 @@ Number stepped(const Number& x, long k, const Scalar& f) {
 Number number_of(const std::string& word) {
   Number value;
   char* end = nullptr;
+  mpfr_clear_flags();
   mpfr_strtofr(value.backend().data(), word.c_str(), &end, 0, MPFR_RNDN);
-  if (end != word.c_str() + word.size() || !isfinite(value))
+  const bool beyond = mpfr_underflow_p() || mpfr_overflow_p();
+  if (end != word.c_str() + word.size() || (!beyond && !isfinite(value)))
     throw std::invalid_argument(fmt::format("not a number: '{}'", word));
   // Functions of numbers beyond would take digits without end.
-  const int exponent = oracles::exponent_of(value);
-  if (value != 0 && (exponent > 16384 || exponent < -16493))
+  const int exponent = beyond ? 0 : oracles::exponent_of(value);
+  if (beyond || (value != 0 && (exponent > 16384 || exponent < -16493)))
     throw std::invalid_argument(fmt::format("beyond the range from 2^-16494 to 2^16384: '{}'", word));
   return value;
 }

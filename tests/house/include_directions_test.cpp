@@ -96,7 +96,7 @@ const std::vector<Room> harness = {
       "subjects", "invariants", "adapters",    "campaign",     "search",      "hard_cases", "failures",
       "store",    "timing",     "tellings",    "record",       "reports",     "app",        "bugs",
       "correct",  "history",    "lattice",     "coefficients", "rounding",    "horizons",   "bounds",
-      "league",   "results",    "integrators", "wide"}},
+      "league",   "results",    "integrators", "wide",         "scenes"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

@@ -175,7 +175,7 @@ TEST_F(Program, AHuntAppendsToACorpusAndRefusesAnyOtherFile) {
 TEST_F(Program, CostRefusesBadArgumentsAndRecordsAnInterruptedRun) {
   refused("cost --op exp7", "--op: unknown operation 'exp7'; known: exp3_quaternion, ");
   refused("cost --subject nope", "--subject: unknown subject 'nope'; known: ");
-  refused("cost --scalar half", "--scalar: unknown scalar 'half'; known: float, double, ");
+  refused("cost --scalar half", "--scalar: unknown scalar 'half'; known: float, double");
   refused("cost --op ''", "--op: may not be empty");
   refused("cost --for 0", "--for: not a duration");
   refused("cost --json none/c.json", "none/c.json: cannot be written");

@@ -84,7 +84,7 @@ TEST(Terminal, AShellCompletesCommandsFlagsAndNames) {
   EXPECT_EQ(completed("liecheck campaign --subject textb"), " textbook \n");
   EXPECT_EQ(completed("liecheck campaign --subject textbook --property log"), " log_oracle \n");
   EXPECT_EQ(completed("liecheck hunt --op ex"), " exp3_quaternion exp3_matrix exp6 \n");
-  EXPECT_EQ(completed("liecheck scene sweep --no-o"), " --no-orders \n");
+  EXPECT_EQ(completed("liecheck scene run --js"), " --json \n");
   EXPECT_SAYS(shell("$L lab completion bash").second, "complete -o default -F _liecheck-lab liecheck-lab\n");
   EXPECT_EQ(completed("liecheck robot some_file"), "  \n");  // bash completes files itself
   for (const std::string script : {"bash", "zsh", "fish"}) {
