@@ -16,6 +16,8 @@
 #include <store/store_path.hpp>
 #include <thread>
 
+#include "../sample.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -148,7 +150,7 @@ TEST_F(TwoPrograms, OfMpirunSayHowToResumeWhicheverIsStopped) {
         std::string(stopped) +
         " ]; then exec timeout --preserve-status -s TERM 1.5 $0 \"$@\"; "
         "else exec $0 \"$@\"; fi' $L " +
-        campaign + "--cases 6000000 --store r.db >out 2>err; echo $? >code");
+        campaign + "--cases " + sample("600000", "6000000") + " --store r.db >out 2>err; echo $? >code");
     if (read("out").find("built without MPI") != std::string::npos) GTEST_SKIP() << "built without MPI";
     EXPECT_EQ(read("code"), "3\n") << read("err");
     const std::string out = read("out"), line = "to resume:\n  mpirun -n 2 ";
