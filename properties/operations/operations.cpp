@@ -1,6 +1,7 @@
 #include <operations/operations.hpp>
 
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace liecheck::properties {
 namespace {
@@ -57,11 +58,23 @@ std::string operations_table() {
   for (const Operation* o : all_operations())
     text += fmt::format("| {} | {} | {} | {}; {} | {} |\n", o->name, cell(o->definition),
                         names_of(o->arguments), names_of(o->results), cell(o->results[0]->frame), o->source);
-  text += "\n| operation | block | numerator | denominator | unit |\n|---|---|---|---|---|\n";
+  // One row for a block that several operations have.
+  std::vector<std::pair<const Block*, std::string>> blocks;
   for (const Operation* o : all_operations())
-    for (const Block& b : o->blocks)
-      text += fmt::format("| {} | {} | {} | {} | {} |\n", o->name, b.name.text, cell(b.error),
-                          cell(b.denominator), b.unit);
+    for (const Block& b : o->blocks) {
+      const auto same = std::ranges::find_if(blocks, [&](const auto& row) {
+        return row.first->name.text == b.name.text && row.first->error == b.error &&
+               row.first->denominator == b.denominator && row.first->unit == b.unit;
+      });
+      if (same == blocks.end())
+        blocks.emplace_back(&b, o->name);
+      else
+        same->second += ", " + std::string(o->name);
+    }
+  text += "\n| block | numerator | denominator | unit | of |\n|---|---|---|---|---|\n";
+  for (const auto& [b, operations] : blocks)
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", b->name.text, cell(b->error), cell(b->denominator),
+                        b->unit, operations);
   return text;
 }
 

@@ -133,8 +133,9 @@ const Rules& rules_named(const std::string& version) {
     if (r.version == version) return r;
     names.push_back(r.version);
   }
-  throw std::invalid_argument(
-      fmt::format("--rules: unknown version '{}'; known: {}", version, fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format(
+      "--rules: unknown version '{}'; known: {}; CHANGELOG.md names the liecheck that runs an older one",
+      version, fmt::join(names, ", ")));
 }
 
 std::vector<std::string> differences(const Rules& a, const Rules& b) {
