@@ -102,6 +102,21 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("report r.json --seed 3", "excludes");
 }
 
+TEST_F(Program, AReportNamesThePartsThatTheLaboratoryDidNotWrite) {
+  const std::string copied = "cp \"${L##* }\" liecheck; rm -f liecheck-lab; ",
+                    report = "timeout 100 ./liecheck report --cases 1 --no-cost -j 1 --out page";
+  const Run absent = shell(copied + report);
+  EXPECT_EQ(absent.code, 0) << absent.err;
+  EXPECT_NE(absent.err.find("liecheck-lab, is not built"), std::string::npos) << absent.err;
+  const Run broken =
+      shell(copied + "printf '#!/bin/sh\\nexit 1\\n' >liecheck-lab; chmod +x liecheck-lab; " + report);
+  EXPECT_EQ(broken.code, 0) << broken.err;
+  for (const std::string part : {"sweep", "bounds", "scenes"})
+    EXPECT_NE(broken.err.find("no part '" + part + "': liecheck-lab ended without a record"),
+              std::string::npos)
+        << broken.err;
+}
+
 TEST_F(Program, HelpFitsOneScreenWithoutExitCodes) {
   for (const std::string program : {"", "lab "}) {
     const std::string help = run(program + "--help").out;
