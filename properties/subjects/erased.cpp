@@ -100,8 +100,8 @@ template <class S>
 struct CheckedCall {
   int tree = 0;  ///< which of the trees that the case builds the function belongs to, from 1; 0 if to none
 
-  template <class O, class F, class... A>
-  auto operator()(const O& operation, const F& function, const A&... arguments) const {
+  template <class F, class... A>
+  auto operator()(const Operation& operation, const F& function, const A&... arguments) const {
     using R = std::invoke_result_t<const F&, const A&...>;
     CallLog* log = CallLog::current();
     if (!log) return function(arguments...);
@@ -208,19 +208,21 @@ Tree<S> in_scalar(const Tree<double>& tree) {
   return t;
 }
 
-/// Functions of doubles that call functions in the scalar S.
-template <class S, class To, const auto&... all>
-void erase(Slots<To, all...>& to, const Slots<S, all...>& from, CheckedCall<S> call) {
-  const auto one = [call](const auto& operation, auto& slot, const auto& function) {
-    if (!function) return;
-    slot = [call, &operation, function](const auto&... arguments) {
-      if constexpr (std::is_same_v<S, double>)
-        return call(operation, function, arguments...);
-      else  // the conversions stand outside the call, which may flush subnormal numbers
-        return in_scalar<double>(call(operation, function, in_scalar<S>(arguments)...));
-    };
+/// A function of doubles that calls one in the scalar S. Operations of one signature share it.
+template <class S, class F, class R, class... A>
+void fill(std::function<R(const A&...)>& slot, const Operation& operation, const F& function,
+          const CheckedCall<S>& call) {
+  if (!function) return;
+  slot = [call, &operation, function](const A&... arguments) -> R {
+    if constexpr (std::is_same_v<S, double>)
+      return call(operation, function, arguments...);
+    else  // the conversions stand outside the call, which may flush subnormal numbers
+      return in_scalar<double>(call(operation, function, in_scalar<S>(arguments)...));
   };
-  (one(all, to[all], from[all]), ...);
+}
+template <class S, class To, const auto&... all>
+void erase(Slots<To, all...>& to, const Slots<S, all...>& from, const CheckedCall<S>& call) {
+  (fill<S>(to[all], all, from[all], call), ...);
 }
 
 /// Which tree of the case is built now.

@@ -36,7 +36,8 @@ struct Signature {
   /// A pass over the arguments of n calls.
   void (*throughput)(AnyFunction, const char* arguments, std::size_t n);
   void (*latency)(AnyFunction, const char* arguments, std::size_t n);
-  /// One call; appends the exact values of its arguments to `in`, and those of its result to `out`.
+  /// One call; appends the exact values of its arguments to `in`, and those of its result to `out`. Null in float and
+  /// double, whose errors the laws measure.
   void (*call)(AnyFunction, const char* arguments, WideNumbers& in, WideNumbers& out);
   /// The shortest function of this signature: each number of its result is the first of its arguments.
   AnyFunction call_only;
@@ -165,9 +166,11 @@ struct Passes {
 template <class S, class R, class... A>
 Signature signature_of(R (*)(const A&...)) {
   using P = timing_detail::Passes<S, R, A...>;
-  return {&P::arguments,  sizeof(std::tuple<A...>),
-          &P::throughput, &P::latency,
-          &P::call,       reinterpret_cast<AnyFunction>(&timing_detail::call_only<R, A...>)};
+  Signature s{&P::arguments,  sizeof(std::tuple<A...>),
+              &P::throughput, &P::latency,
+              nullptr,        reinterpret_cast<AnyFunction>(&timing_detail::call_only<R, A...>)};
+  if constexpr (!std::is_floating_point_v<S>) s.call = &P::call;
+  return s;
 }
 
 }  // namespace liecheck::properties
