@@ -9,11 +9,11 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct AdapterCheckFlags {
   std::string adapter, memory;
 };
 
-int check(const Flags& f) try {
+int check(const AdapterCheckFlags& f) try {
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
   fmt::print("{} {}: {} functions\n", d.name, d.version, d.offered.size());
@@ -39,7 +39,7 @@ int check(const Flags& f) try {
   throw std::invalid_argument(fmt::format("'{}': {}", f.adapter, e.what()));
 }
 
-int serve(const Flags& f) try {
+int serve(const AdapterCheckFlags& f) try {
   adapters::serve(*adapters::load_library(f.adapter, false), f.memory);
   return within_budget;
 } catch (const adapters::AdapterFailed& e) {
@@ -49,7 +49,7 @@ int serve(const Flags& f) try {
 }  // namespace
 
 Command adapter_check_command(CLI::App& adapter) {
-  CommandWith<Flags> a(
+  CommandWith<AdapterCheckFlags> a(
       adapter, "check",
       "call each function of an adapter at moderate arguments, name the conventions in which it "
       "differs, and say in words what else is wrong with its answers. Exit code 0 if nothing is; 1 "
@@ -59,7 +59,7 @@ Command adapter_check_command(CLI::App& adapter) {
 }
 
 Command adapter_serve_command(CLI::App& adapter) {
-  CommandWith<Flags> a(adapter, "serve",
+  CommandWith<AdapterCheckFlags> a(adapter, "serve",
                        "call the functions of a shared library for the program that started this process");
   a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/adapters.md").required();
   a.text("--memory", a->memory, "FILE", "memory of that program, in which it writes the calls").required();

@@ -11,7 +11,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct AdapterTellingsFlags {
   std::string adapter, out;
   RobotFlags robot;
   bool all = false;
@@ -23,7 +23,7 @@ bool differs(const nlohmann::json& cell) {
   return cell["grade"] == "D" || cell["grade"] == "F";
 }
 
-int tell(const Flags& f) {
+int tell(const AdapterTellingsFlags& f) {
   const Robot robot = f.robot.read();
   const std::string subject = f.adapter.empty() ? "liecheck" : adapters::register_adapter(f.adapter);
   if (!f.out.empty()) {
@@ -55,7 +55,7 @@ int tell(const Flags& f) {
 }  // namespace
 
 Command adapter_tellings_command(CLI::App& adapter) {
-  CommandWith<Flags> a(adapter, "tellings",
+  CommandWith<AdapterTellingsFlags> a(adapter, "tellings",
                        "tell a robot in six equivalent ways, and compare what a URDF reader makes of each "
                        "with its exact motion. "
                        "Exit code 0; 1 if a telling differs; 2 for bad input");

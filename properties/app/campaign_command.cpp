@@ -27,7 +27,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct CampaignFlags {
   SelectionFlags selection;
   CaseFlags cases;
   StoreFlags store;
@@ -180,7 +180,7 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
 }
 
 /// Prints the table, the failures and the coverage. Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const Flags& f) {
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
   fmt::print("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
@@ -212,7 +212,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
-std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
+std::vector<HardRow> replay_hard_cases(const CampaignFlags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
@@ -223,7 +223,7 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
   return rows;
 }
 
-int run(const Flags& f) {
+int run(const CampaignFlags& f) {
   Selection selection = f.selection.selection();
   if (!f.rules.empty()) {
     check_runs(rules_named(f.rules), present_rules());
@@ -260,7 +260,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
-  CommandWith<Flags> a(program, "campaign",
+  CommandWith<CampaignFlags> a(program, "campaign",
                        "test libraries by the laws, with inputs that follow from a seed. Exit code 0 if "
                        "every error is within its "
                        "limit; 1 if one is not; 2 for bad input; 3 if incomplete: interrupted, or a law "

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct CompareFlags {
   std::string before, after, markdown, picture, json;
   std::vector<std::string> cost;
   bool rules = false;
@@ -37,7 +37,7 @@ bool print_if_partial(const std::string& name, const StoredCampaign& c) {
 }
 
 /// Prints what differs between two versions of the rules.
-int compare_rules(const Flags& f) {
+int compare_rules(const CompareFlags& f) {
   const auto lines = differences(rules_named(f.before), rules_named(f.after));
   for (const std::string& line : lines) fmt::print("{}\n", line);
   fmt::print("rules {} and {}: {} differences\n", f.before, f.after, lines.size());
@@ -70,7 +70,7 @@ void print_changes(const std::vector<Change>& changes) {
   }
 }
 
-int run(const Flags& f) {
+int run(const CompareFlags& f) {
   if (f.rules) return compare_rules(f);
   for (const std::string& file : {f.markdown, f.picture})
     if (!file.empty()) check_writable(file);
@@ -108,7 +108,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<CompareFlags> a(
       program, "compare",
       "print what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
       "did; 2 for bad input; 3 if a store lacks cases or verdicts");

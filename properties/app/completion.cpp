@@ -11,7 +11,7 @@ namespace liecheck::properties {
 
 namespace {
 
-using Commands = std::vector<CompletedCommand>;
+using CompletedCommands = std::vector<CompletedCommand>;
 
 /// The names that this build offers as the value of a flag.
 struct Values {
@@ -36,27 +36,27 @@ std::string path_of(const CompletedCommand& c) {
 }
 
 /// The commands of a group, or those at the top for "".
-Commands in_group(const Commands& all, const std::string& group) {
-  Commands found;
+CompletedCommands in_group(const CompletedCommands& all, const std::string& group) {
+  CompletedCommands found;
   for (const CompletedCommand& c : all)
     if (c.group == group) found.push_back(c);
   return found;
 }
 
-std::string names_of(const Commands& commands, const char* separator) {
+std::string names_of(const CompletedCommands& commands, const char* separator) {
   std::vector<std::string> names;
   for (const CompletedCommand& c : commands) names.push_back(c.name);
   return fmt::format("{}", fmt::join(names, separator));
 }
 
-std::vector<std::string> groups_of(const Commands& all) {
+std::vector<std::string> groups_of(const CompletedCommands& all) {
   std::vector<std::string> groups{""};
   for (const CompletedCommand& c : all)
     if (c.is_group) groups.push_back(c.name);
   return groups;
 }
 
-std::string in_bash(const std::string& program, const Commands& all) {
+std::string in_bash(const std::string& program, const CompletedCommands& all) {
   std::string values_text, commands_text;
   for (const Values& v : values())
     values_text +=
@@ -89,7 +89,7 @@ complete -o default -F _{0} {0}
                      program, fmt::join(groups_of(all), "|"), values_text, commands_text);
 }
 
-std::string in_zsh(const std::string& program, const Commands& all) {
+std::string in_zsh(const std::string& program, const CompletedCommands& all) {
   std::string values_text, commands_text;
   const auto described = [](const std::string& name, const std::string& help) {
     return shell_quoted(name + ":" + brief(help));
@@ -131,7 +131,7 @@ compdef _{0} {0}
                      program, fmt::join(groups_of(all), "|"), values_text, commands_text);
 }
 
-std::string in_fish(const std::string& program, const Commands& all) {
+std::string in_fish(const std::string& program, const CompletedCommands& all) {
   std::string text = fmt::format("# As ~/.config/fish/completions/{}.fish\n", program);
   const auto known = values();
   const auto condition = [&](const std::string& group) {
@@ -171,7 +171,7 @@ std::string brief(const std::string& help) {
 }
 
 std::string completion_script(const std::string& program, const std::string& shell,
-                              const Commands& commands) {
+                              const CompletedCommands& commands) {
   return shell == "bash"  ? in_bash(program, commands)
          : shell == "zsh" ? in_zsh(program, commands)
                           : in_fish(program, commands);

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct CostFlags {
   CostOptions options;
   AdapterFlags adapters;
   BatchFlags batch;
@@ -127,7 +127,7 @@ CostOptions with_adapters(CostOptions o, const AdapterFlags& adapters, bool prob
   return o;
 }
 
-int run(const Flags& f) {
+int run(const CostFlags& f) {
   if (f.batches) return run_batches(f.batch, f.options.operations);
   const CostOptions options = with_adapters(f.options, f.adapters, !f.times_only);
   if (f.times_only) {
@@ -176,7 +176,7 @@ CostResult run_cost(CostOptions options) {
 }
 
 Command cost_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "cost",
+  CommandWith<CostFlags> a(program, "cost",
                        "measure time and error of each operation. Every subject gets the same inputs. "
                        "Exit code 0; 2 for bad input; 3 if stopped");
   CostOptions& o = a->options;

@@ -25,7 +25,7 @@ using namespace environments;
 using nlohmann::json;
 using Table = std::map<std::pair<std::string, std::string>, Figures>;
 
-struct Flags {
+struct EnvironmentsFlags {
   std::vector<std::string> subjects, only;
   std::string source, compile, link, folder, json;
   MeasureOptions options;
@@ -85,7 +85,7 @@ json json_of(const Figures& f) {
 
 class Run {
  public:
-  explicit Run(const Flags& f) : flags_(f), environments_(chosen(f.only)) {
+  explicit Run(const EnvironmentsFlags& f) : flags_(f), environments_(chosen(f.only)) {
     if (std::ranges::any_of(environments_, [](const Environment& e) { return !e.mode; }) ||
         !f.subjects.empty() || !f.source.empty()) {
       try {
@@ -188,7 +188,7 @@ class Run {
     }
     return some;
   }
-  std::string add_source(const Flags& f) {
+  std::string add_source(const EnvironmentsFlags& f) {
     if (!no_sources_.empty()) throw std::invalid_argument("--source: " + no_sources_);
     try {
       const std::string name = std::filesystem::path(f.source).stem().string();
@@ -335,7 +335,7 @@ class Run {
                      {"operations", operations}});
   }
 
-  const Flags& flags_;
+  const EnvironmentsFlags& flags_;
   std::vector<Environment> environments_;
   Sources sources_;
   std::string no_sources_, folder_;
@@ -346,7 +346,7 @@ class Run {
   int measured_ = 0, broken_ = 0;
 };
 
-int run(const Flags& f) {
+int run(const EnvironmentsFlags& f) {
   Run run(f);
   stop_on_signals();
   return run.all();
@@ -355,7 +355,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command environments_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<EnvironmentsFlags> a(
       program, "environments",
       "run the laws and the hard cases in other environments. A subject is called in other rounding modes or "
       "built with other compilers, flags and C libraries, and for other processors. Exit code 0 if no check "

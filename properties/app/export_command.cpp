@@ -9,11 +9,11 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct ExportFlags {
   std::string store, out;
 };
 
-int run(const Flags& f) {
+int run(const ExportFlags& f) {
   if (same_file(stored_file(f.store), f.out))
     throw std::invalid_argument("--out " + f.out + ": is the store itself: give it another name");
   const std::string text = export_text(load_campaign(f.store));
@@ -27,7 +27,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command export_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "export",
+  CommandWith<ExportFlags> a(program, "export",
                        "print a store as text. It depends on the results alone, not on stops and merges. "
                        "Exit code 0; 2 for bad input");
   a.text("STORE", a->store, "", "a store, or STORE@N for its Nth campaign").required();

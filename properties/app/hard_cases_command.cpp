@@ -18,7 +18,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct HardCasesFlags {
   SelectionFlags selection;
   std::vector<std::string> files;
   unsigned jobs = default_jobs();
@@ -179,7 +179,7 @@ int share(const std::vector<HardCase>& cases, const std::string& folder) {
   return within_budget;
 }
 
-int run(const Flags& f) {
+int run(const HardCasesFlags& f) {
   if (!f.share.empty()) return share(corpus_with(f.files), f.share);
   StoredRun no_cases;
   no_cases.result.options.cases = 0;
@@ -237,7 +237,7 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full) {
 }
 
 Command hard_cases_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "hard-cases",
+  CommandWith<HardCasesFlags> a(program, "hard-cases",
                        "run every hard case, and print a verdict on each. Exit code 0 if none failed; 1 if "
                        "any did; 2 for bad input; 3 if "
                        "stopped, or if a case has no verdict");

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct HuntFlags {
   HuntOptions options;
   std::string subject, scalar = "double", property, corpus;
   bool versus_random = false;
@@ -112,7 +112,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 
 /// The selected series that measure the operation and its block. Throws if there is none. The message names
 /// the operations or blocks that are known.
-std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
+std::vector<std::unique_ptr<Series>> series_of(const HuntFlags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
   Selection selection = f.limits.judging({{f.subject}, {}, {f.scalar}});
   if (!f.property.empty()) selection.properties = {f.property};
@@ -176,7 +176,7 @@ class CorpusFile {
 };
 
 /// Hunts on one series, and samples as many random inputs if asked. Returns the exit code.
-int hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
+int hunt_on(const Series& series, HuntOptions options, const HuntFlags& f, const std::string& robot_flag,
             CorpusFile& corpus) {
   const auto search = [&](const char* how) {
     options.progress = progress_of(fmt::format("{} {} {}", how, series.property, options.operation));
@@ -207,7 +207,7 @@ int hunt_on(const Series& series, HuntOptions options, const Flags& f, const std
   return code;
 }
 
-int run(const Flags& f) {
+int run(const HuntFlags& f) {
   f.adapters.start();
   const Robot robot = f.robot.read();
   const auto all = series_of(f, robot);
@@ -233,7 +233,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command hunt_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<HuntFlags> a(
       program, "hunt",
       "search for the worst input of an operation. Exit code 0 if every error found is within "
       "its limit; 1 if one is not; 2 for bad input; 3 if stopped, or if an evaluation has "

@@ -44,13 +44,13 @@ void print_operations() {
   }
 }
 
-struct Flags {
+struct ListFlags {
   bool operations = false, laws = false;
   std::string rules;
   AdapterFlags adapters;
 };
 
-int run(const Flags& f) {
+int run(const ListFlags& f) {
   if (f.operations) {
     fmt::print("{}", operations_table());
     return within_budget;
@@ -82,7 +82,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command list_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "list",
+  CommandWith<ListFlags> a(program, "list",
                        "list the subjects, operations and laws. Also the subjects that are absent, and the "
                        "blocks of each operation. Exit code 0");
   a.toggle("--operations", a->operations,

@@ -9,7 +9,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct MergeFlags {
   std::string out;
   std::vector<std::string> in;
   bool partial = false;
@@ -30,7 +30,7 @@ std::string lacking(const StoredCampaign& c, const std::string& name) {
   return "";
 }
 
-int run(const Flags& f) {
+int run(const MergeFlags& f) {
   merge_into(f.out, f.in, f.partial);
   const StoredCampaign c = load_campaign(f.out);
   const std::string open = lacking(c, f.out);
@@ -43,7 +43,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command merge_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<MergeFlags> a(
       program, "merge",
       "merge the shards of a campaign; FILE@N is campaign N of a store. Exit code 0 if it has "
       "every case and verdict; 2 for bad input; 3 if not");

@@ -19,7 +19,7 @@ namespace {
 /// A limit is this many times the largest error found.
 constexpr double slack = 2;
 
-struct Flags {
+struct PromiseFlags {
   std::string subject, out;
   AdapterFlags adapters;
   std::vector<std::string> scalars;
@@ -27,7 +27,7 @@ struct Flags {
 };
 
 /// The subject that is named, or the one that the adapter gives.
-std::string subject_of(const Flags& f) {
+std::string subject_of(const PromiseFlags& f) {
   const std::vector<std::string> given = f.adapters.start();
   if (!f.subject.empty()) return f.subject;
   if (given.size() != 1) throw std::invalid_argument("SUBJECT: name one subject, or give one with --adapter");
@@ -82,7 +82,7 @@ std::string not_promised(const CampaignResult& r, Needs& needs) {
   return text;
 }
 
-int run(const Flags& f) {
+int run(const PromiseFlags& f) {
   if (std::filesystem::exists(f.out))
     throw std::invalid_argument(fmt::format("--out: '{}' exists: give another name, or remove it", f.out));
   check_writable(f.out);
@@ -125,7 +125,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command promise_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<PromiseFlags> a(
       program, "promise",
       "write a first limits file: twice the largest error of each operation and block in a "
       "campaign and a hunt. Exit code 0 if every result can be promised; 1 if some are NaN, on "

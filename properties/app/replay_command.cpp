@@ -14,7 +14,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct ReplayFlags {
   std::string id;
   RobotFlags robot;
   AdapterFlags adapters;
@@ -69,7 +69,7 @@ void print_results(const Series& series, const CaseId& id, const Trial& trial) {
   }
 }
 
-int run(const Flags& f) {
+int run(const ReplayFlags& f) {
   const CaseId id = CaseId::parse(f.id);
   f.adapters.start();
   const auto series = series_of(id, f.id, f.robot.read(), f.limits);
@@ -95,7 +95,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command replay_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "replay",
+  CommandWith<ReplayFlags> a(program, "replay",
                        "run one case again and print its errors, bit for bit. Exit code 0 if they are within "
                        "their limits; 1 if "
                        "not; 2 for bad input; 3 if an output has no verdict");

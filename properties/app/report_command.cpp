@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Flags {
+struct ReportFlags {
   std::vector<std::string> records;
   std::string out = "liecheck-report";
   bool no_cost = false, no_scenes = false;
@@ -74,7 +74,7 @@ void print_interrupted(const char* where) {
 }
 
 /// Runs everything that a report shows and writes the record.
-fs::path run_campaign_of_report(const Flags& f) {
+fs::path run_campaign_of_report(const ReportFlags& f) {
   const bool everything = f.selection.subjects.empty() && f.selection.adapters.adapters.empty();
   const Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
   for (const std::string& adapter : f.selection.adapters.adapters) check_conventions(adapter);
@@ -143,7 +143,7 @@ fs::path run_campaign_of_report(const Flags& f) {
   return file;
 }
 
-int run(const Flags& f) {
+int run(const ReportFlags& f) {
   std::vector<fs::path> records = record_files(f.records, f.out);
   if (records.empty()) records.push_back(run_campaign_of_report(f));
   const bool interrupted = stop_requested;  // a signal that comes later interrupts nothing
@@ -155,7 +155,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command report_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<ReportFlags> a(
       program, "report",
       "write the accuracy report, an HTML page. It is of records, or of a campaign over every "
       "subject or the chosen ones. Exit code 0 if it is "

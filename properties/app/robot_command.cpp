@@ -6,12 +6,12 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct RobotChecksFlags {
   std::string file, root = "fixed";
   bool tied = false, strict = false;
 };
 
-UrdfOptions options_of(const Flags& f) {
+UrdfOptions options_of(const RobotChecksFlags& f) {
   UrdfOptions options;
   options.strict = f.strict;
   options.mimic = f.tied ? MimicJoints::Tied : MimicJoints::Independent;
@@ -23,7 +23,7 @@ UrdfOptions options_of(const Flags& f) {
 }
 
 /// Prints the joints with their indices in q and v, and the warnings.
-int run(const Flags& f) {
+int run(const RobotChecksFlags& f) {
   const auto [model, warnings] = loadUrdf(f.file, options_of(f));
   double mass = 0;
   for (const auto& body : model.inertias) mass += body.mass();
@@ -40,7 +40,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command robot_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "robot",
+  CommandWith<RobotChecksFlags> a(program, "robot",
                        "show the model of a URDF: joints, indices, warnings. Exit code 0; 2 for bad input");
   a.text("FILE", a->file, "URDF", "the URDF").required();
   a.choice("--root", a->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",

@@ -30,11 +30,11 @@ const char* what_moves(scene::SystemKind kind) {
   }
 }
 
-struct Flags {
+struct SceneExplainFlags {
   std::string file;
 };
 
-int run(const Flags& f) {
+int run(const SceneExplainFlags& f) {
   std::vector<std::string> warnings;
   const scene::Scene scene = loadScene(f.file, &warnings);
   print_warnings(warnings);
@@ -63,7 +63,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command scene_explain_command(CLI::App& scene) {
-  CommandWith<Flags> a(
+  CommandWith<SceneExplainFlags> a(
       scene, "explain",
       "show the plan of a scene: stages, their times, and what was left out and why. Exit code 0; 2 for bad "
       "input");

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct SceneRunFlags {
   std::string file;
   std::string csv, json;  ///< replace the files that the scene names
   std::string checkpoint, resume;
@@ -134,7 +134,7 @@ scene::SavedRun saved_run(const std::string& file, const scene::Scene& scene) tr
   throw std::invalid_argument(file + ": " + e.what());
 }
 
-int run(const Flags& flags) {
+int run(const SceneRunFlags& flags) {
   std::vector<std::string> warnings;
   scene::Scene scene = loadScene(flags.file, &warnings);
   print_warnings(warnings);
@@ -200,7 +200,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Command scene_run_command(CLI::App& scene) {
-  CommandWith<Flags> a(
+  CommandWith<SceneRunFlags> a(
       scene, "run",
       "simulate a scene. Exit code 0; 1 if its estimated error is too large or a conserved "
       "quantity changes; 2 for bad input; 3 if it diverged or was stopped, with the samples until then "
