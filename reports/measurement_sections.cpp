@@ -22,7 +22,7 @@ std::string status_of(const Json& row) {
 }
 
 /// What an environment does to an operation: "=" for the same bits, or the digits that it loses.
-std::string cell_of(const Json& figures) {
+std::string figures_cell_of(const Json& figures) {
   if (figures["worse"] > 0)
     return fmt::format("<b class=\"status fail\">{} worse</b>", dumped(figures["worse"]));
   if (figures["calls"] > 0 && figures["same_calls"] == figures["calls"]) return "=";
@@ -41,7 +41,7 @@ std::string matrix(const Json& record, const std::string& subject) {
     for (const Json& o : row["operations"]) {
       const std::string name = fmt::format("{} {}", text_of(o, "operation"), text_of(o, "scalar"));
       add_once(names, name);
-      column[name] = cell_of(o["figures"]);
+      column[name] = figures_cell_of(o["figures"]);
     }
   }
   std::vector<Cells> rows;

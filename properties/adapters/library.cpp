@@ -19,7 +19,8 @@ namespace liecheck::properties::adapters {
 namespace {
 
 /// "quaternion: wxyz, twist: angular first"
-conventions::Statements stated(std::string_view text) {
+conventions::Statements stated(const std::string& of_adapter) {
+  std::string_view text = of_adapter;
   const auto word = [](std::string_view w) {
     const auto first = w.find_first_not_of(' '), last = w.find_last_not_of(' ');
     return first == w.npos ? std::string() : std::string(w.substr(first, last - first + 1));

@@ -57,8 +57,6 @@ bool in_process(int number) {
   return sources[static_cast<std::size_t>(number)]->in_process != nullptr;
 }
 
-template <class S>
-constexpr const char* scalar_text = sizeof(S) == 4 ? "float" : "double";
 
 /// The outcome of a call whose status is not `done`.
 constexpr Outcome outcome_of(Status s) {
@@ -110,7 +108,7 @@ RobotOperations<S> robot(const std::string& urdf, bool fixed) {
 
 template <int number, class S, const auto& operation, class R, class... A>
 void fill(R (*&slot)(A...), const Description& d) {
-  if (d.offered.contains({std::string(operation.name), scalar_text<S>}))
+  if (d.offered.contains({std::string(operation.name), std::string(oracles::scalar_of<S>.name)}))
     slot = &call<number, operation, S, R, A...>;
 }
 template <int number, class S, const auto&... all>
@@ -120,11 +118,11 @@ void fill_all(Slots<S, all...>& slots, const Description& d) {
 template <int number, class S>
 void fill_operations(TypedOperations<S>& o, const Description& d) {
   fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
-  if (offers_trees(d, scalar_text<S>))
+  if (offers_trees(d, std::string(oracles::scalar_of<S>.name)))
     o.tree = [d](const Tree<S>& tree) {
       return tree_operations(tree, d, []() -> Adapter& { return adapter(number); });
     };
-  if (offers_robots(d, scalar_text<S>)) o.robot = &robot<number, S>;
+  if (offers_robots(d, std::string(oracles::scalar_of<S>.name))) o.robot = &robot<number, S>;
 }
 
 template <class S, int... numbers>
@@ -132,7 +130,7 @@ void register_one(int wanted, const std::string& text, const Description& d,
                   std::integer_sequence<int, numbers...>) {
   TypedSubject<S> s{d.name, d.version, {}, text};
   ((wanted == numbers ? fill_operations<numbers, S>(s.operations, d) : void()), ...);
-  const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == scalar_text<S>; });
+  const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == std::string(oracles::scalar_of<S>.name); });
   if (any) Registered<S>(std::move(s));
 }
 

@@ -132,8 +132,6 @@ void fill_all(Slots<S, all...>& slots, const std::shared_ptr<const Model<S>>& mo
   ((offered(all) ? fill(slots[all], all, model) : void()), ...);
 }
 
-template <class S>
-constexpr const char* scalar_text = sizeof(S) == 4 ? "float" : "double";
 
 }  // namespace
 
@@ -207,7 +205,7 @@ TreeOperations<S> tree_operations(const Tree<S>& tree, const Description& adapte
   TreeOperations<S> o;
   if (adapter.models.contains("joints") || (tree.urdf && adapter.models.contains("urdf")))
     fill_all(o, std::make_shared<const Model<S>>(tree, adapter, route), [&](const Operation& operation) {
-      return adapter.offered.contains({std::string(operation.name), scalar_text<S>});
+      return adapter.offered.contains({std::string(operation.name), std::string(oracles::scalar_of<S>.name)});
     });
   return o;
 }
