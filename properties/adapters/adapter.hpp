@@ -51,7 +51,7 @@ std::string in_words(Status status, const std::string& why);
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.
 struct Batch {
-  const OperationSizes& operation;  ///< one of operation_sizes(), or of an operation on `model`
+  const OperationSizes& operation;  ///< one of all_sizes(), or of an operation on `model`
   bool is_double;
   std::size_t n;
   std::span<const std::byte> inputs;
@@ -81,8 +81,17 @@ std::unique_ptr<Adapter> start_process(const std::string& command, double timeou
 /// Loads a shared library into this process. Throws AdapterFailed. call() repeats earlier calls only if `repeats`.
 std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats = true);
 
-/// A function of the C interface (liecheck_adapter.h).
-using CFunction = void (*)(std::size_t n, const void* inputs, void* results, unsigned char* status);
+/// A function of the C interface (liecheck_adapter.h), of version 1 or 2.
+struct CFunction {
+  void (*alone)(std::size_t n, const void* inputs, void* results, unsigned char* status) = nullptr;
+  void (*with)(void* context, std::size_t n, const void* inputs, void* results, unsigned char* status) = nullptr;
+  void* context = nullptr;
+
+  explicit operator bool() const { return alone || with; }
+  void operator()(std::size_t n, const void* inputs, void* results, unsigned char* status) const {
+    with ? with(context, n, inputs, results, status) : alone(n, inputs, results, status);
+  }
+};
 
 /// The function of a shared library, loaded into this process, without any check of its calls; null if it is not
 /// offered. Throws AdapterFailed.

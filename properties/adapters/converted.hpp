@@ -17,7 +17,7 @@ class Converted final : public Adapter {
 
  private:
   std::shared_ptr<Adapter> own_;
-  std::vector<conventions::Rearranged> rearranged_;  ///< for each of operation_sizes()
+  std::vector<conventions::Rearranged> rearranged_;  ///< for each of all_sizes()
 };
 
 }  // namespace liecheck::properties::adapters

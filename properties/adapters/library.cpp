@@ -2,15 +2,20 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
+#include <adapters/flat_model.hpp>
 #include <adapters/repeats.hpp>
+#include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <support/float_environment.hpp>
 #include <vector>
@@ -18,22 +23,39 @@
 namespace liecheck::properties::adapters {
 namespace {
 
-/// "quaternion: wxyz, twist: angular first"
-conventions::Statements stated(const std::string& of_adapter) {
-  std::string_view text = of_adapter;
-  const auto word = [](std::string_view w) {
-    const auto first = w.find_first_not_of(' '), last = w.find_last_not_of(' ');
-    return first == w.npos ? std::string() : std::string(w.substr(first, last - first + 1));
-  };
-  conventions::Statements all;
-  while (!text.empty()) {
-    const auto end = std::min(text.find(','), text.size());
-    const std::string_view one = text.substr(0, end);
-    const auto colon = std::min(one.find(':'), one.size());
-    all[word(one.substr(0, colon))] = word(one.substr(std::min(colon + 1, one.size())));
-    text.remove_prefix(std::min(end + 1, text.size()));
+std::string word(std::string_view w) {
+  const auto first = w.find_first_not_of(' '), last = w.find_last_not_of(' ');
+  return first == w.npos ? std::string() : std::string(w.substr(first, last - first + 1));
+}
+/// The parts of "one, two, three".
+std::vector<std::string> listed(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    all.push_back(word(std::string_view(text).substr(at, end - at)));
+    at = end + 1;
   }
   return all;
+}
+/// "quaternion: wxyz, twist: angular first"
+conventions::Statements stated(const std::string& text) {
+  conventions::Statements all;
+  for (const std::string& one : listed(text)) {
+    const auto colon = std::min(one.find(':'), one.size());
+    all[word(one.substr(0, colon))] = word(one.substr(std::min(colon + 1, one.size())));
+  }
+  return all;
+}
+/// The names in a list, each of which must be known.
+std::set<std::string> names_in(const char* text, const std::vector<std::string>& known, const std::string& file) {
+  std::set<std::string> names;
+  for (const std::string& name : listed(text)) {
+    if (std::ranges::find(known, name) == known.end())
+      throw AdapterFailed(fmt::format("{} takes trees with '{}', where only {} are known", file, name,
+                                      fmt::join(known, ", ")));
+    names.insert(name);
+  }
+  return names;
 }
 
 /// The shared library in a file, and its liecheck_get_adapter().
@@ -53,26 +75,45 @@ class Library final : public Adapter {
   using Source = const char* (*)(const char*);
   /// `source` is its liecheck_get_source, or null.
   Library(const liecheck_adapter* its, Source source, const std::string& file, bool repeats)
-      : adapter_(its), repeats_here_(repeats) {
-    if (!adapter_) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
-    if (adapter_->interface_version != LIECHECK_ADAPTER_VERSION)
-      throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program version {}", file,
-                                      adapter_->interface_version, LIECHECK_ADAPTER_VERSION));
-    if (!adapter_->name || !adapter_->version || !adapter_->find)
+      : repeats_here_(repeats) {
+    if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
+    if (its->interface_version < 1 || its->interface_version > LIECHECK_ADAPTER_VERSION)
+      throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}", file,
+                                      its->interface_version, LIECHECK_ADAPTER_VERSION));
+    std::memcpy(&adapter_, its,
+                its->interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof(liecheck_adapter));
+    if (!adapter_.name || !adapter_.version || !(adapter_.find || adapter_.find_call || adapter_.find_model_call))
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
-    description_.name = adapter_->name, description_.version = adapter_->version;
-    if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
-    for (const OperationSizes& o : operation_sizes()) {
+    description_.name = adapter_.name, description_.version = adapter_.version;
+    if (adapter_.conventions) description_.conventions = stated(adapter_.conventions);
+    const auto offer = [&](std::string_view operation, bool is_double, const CFunction& f) {
+      if (f) description_.offered.emplace(operation, is_double ? "double" : "float");
+      return f;
+    };
+    for (const OperationSizes& o : all_sizes()) {
+      const std::string name(o.operation);
       auto& of = functions_.emplace_back();
       repeats_.emplace_back();
-      for (const bool is_double : {false, true}) {
-        const char* const scalar = is_double ? "double" : "float";
-        of[is_double] = adapter_->find(std::string(o.operation).c_str(), scalar);
-        if (of[is_double]) description_.offered.emplace(o.operation, scalar);
-      }
-      if (const char* const text = source ? source(std::string(o.operation).c_str()) : nullptr)
-        description_.source.emplace(o.operation, text);
+      for (const bool is_double : {false, true}) of[is_double] = offer(name, is_double, found(adapter_, name, is_double));
+      if (const char* const text = source ? source(name.c_str()) : nullptr) description_.source.emplace(name, text);
     }
+    if (!adapter_.find_model_call || !adapter_.open_model) return;
+    description_.models = names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf"}, file);
+    if (adapter_.joints) description_.joints = names_in(adapter_.joints, joint_names(), file);
+    for (const Operation* o : model_operations())
+      for (const bool is_double : {false, true}) {
+        const std::string name(o->name);
+        const liecheck_call call =
+            adapter_.find_model_call(adapter_.context, name.c_str(), is_double ? "double" : "float");
+        model_functions_[name][is_double] = offer(name, is_double, {nullptr, call, nullptr});
+      }
+  }
+  /// The function of one of all_sizes(), if the adapter has it.
+  static CFunction found(const liecheck_adapter& a, const std::string& operation, bool is_double) {
+    const char* const scalar = is_double ? "double" : "float";
+    if (a.find_call) return {nullptr, a.find_call(a.context, operation.c_str(), scalar), a.context};
+    const bool is_check = operation.starts_with("check_");  // which version 1 does not have
+    return {a.find && !is_check ? a.find(operation.c_str(), scalar) : nullptr, nullptr, nullptr};
   }
   static std::unique_ptr<Library> loaded(const std::string& file, bool repeats) {
     const FloatEnvironment environment;
@@ -91,49 +132,92 @@ class Library final : public Adapter {
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
     std::unique_lock lock(mutex_, std::defer_lock);
-    if (!adapter_->thread_safe) lock.lock();
-    if (std::string how = checked(b); !how.empty()) return how;
+    if (!adapter_.thread_safe) lock.lock();
+    std::shared_ptr<Handle> model;
+    CFunction function;
+    if (b.model.empty()) {
+      function = functions_[index(b)][b.is_double];
+    } else {
+      std::string why;
+      model = opened(b.model, why);
+      if (!model) return std::ranges::fill(b.status, Status::refused), why;
+      function = model_functions_.at(std::string(b.operation.operation))[b.is_double];
+      function.context = model->handle;
+    }
+    if (std::string how = checked(b, function); !how.empty()) return how;
     const bool refused = std::ranges::find(b.status, Status::refused) != b.status.end();
-    if (const char* why = refused && adapter_->reason ? adapter_->reason() : nullptr) return why;
+    if (refused) return reason();
     const std::string other = repeats_here_ ? repeated(b) : "";
     if (!other.empty()) b.status[0] = Status::not_repeatable;
     return other;
   }
   std::string repeated(const Batch& b) override {
+    if (!b.model.empty()) return "";
     const std::size_t at = index(b);
-    return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_->thread_safe);
+    return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_.thread_safe);
   }
 
  private:
   static constexpr int pattern = 0xa5, other = 0x5a;  ///< as numbers both are finite and normal
+  static constexpr std::size_t most_models = 16;      ///< that are kept open
+
+  /// A model that the library has opened.
+  struct Handle {
+    const liecheck_adapter& adapter;
+    void* handle;
+    Handle(const liecheck_adapter& a, void* h) : adapter(a), handle(h) {}
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    ~Handle() {
+      if (adapter.close_model) adapter.close_model(adapter.context, handle);
+    }
+  };
+
+  std::string reason() const {
+    const char* const why = adapter_.reason ? adapter_.reason() : nullptr;
+    return why ? why : "";
+  }
+  /// The model of the text, or null if the library refuses it for the reason `why`.
+  std::shared_ptr<Handle> opened(std::string_view text, std::string& why) try {
+    const std::lock_guard lock(models_mutex_);
+    const auto known = std::ranges::find(models_, text, &std::pair<std::string, std::shared_ptr<Handle>>::first);
+    if (known != models_.end()) return known->second;
+    const FloatEnvironment environment;
+    const FlatModel model(text);
+    void* const handle = adapter_.open_model(adapter_.context, &model.model());
+    if (!handle) return why = "the model is refused: " + (reason().empty() ? "the adapter gave no reason" : reason()), nullptr;
+    if (models_.size() == most_models) models_.pop_front();
+    return models_.emplace_back(text, std::make_shared<Handle>(adapter_, handle)).second;
+  } catch (const std::exception& e) {
+    return why = fmt::format("the model is refused: {}", e.what()), nullptr;
+  }
 
   /// Calls the function, and again if a number of its results may be unwritten. Sets the status of each input.
   /// Returns how it failed, or "".
-  std::string checked(const Batch& b) {
+  std::string checked(const Batch& b, const CFunction& function) {
     const FloatEnvironment environment;
     const auto all = [&](Status s) { std::ranges::fill(b.status, s); };
     thread_local std::vector<std::byte> before;
     before.assign(b.inputs.begin(), b.inputs.end());
     std::memset(b.results.data(), pattern, b.results.size());
-    if (std::string how = called(b); !how.empty()) return how;
+    if (std::string how = called(b, function); !how.empty()) return how;
     if (environment.restore()) return all(Status::environment_changed), "";
     if (std::memcmp(before.data(), b.inputs.data(), before.size()) != 0)
       return all(Status::argument_written), "";
     if (const auto kept = numbers_of(b, pattern); !kept.empty()) {
       std::memset(b.results.data(), other, b.results.size());
-      if (std::string how = called(b); !how.empty()) return how;
+      if (std::string how = called(b, function); !how.empty()) return how;
       environment.restore();
       if (std::ranges::includes(numbers_of(b, other), kept)) return all(Status::output_unwritten), "";
     }
     return "";
   }
   static std::size_t index(const Batch& b) {
-    return static_cast<std::size_t>(&b.operation - operation_sizes().data());
+    return static_cast<std::size_t>(&b.operation - all_sizes().data());
   }
-  std::string called(const Batch& b) try {
+  static std::string called(const Batch& b, const CFunction& function) try {
     std::ranges::fill(b.status, Status::done);
-    functions_[index(b)][b.is_double](b.n, b.inputs.data(), b.results.data(),
-                                      reinterpret_cast<unsigned char*>(b.status.data()));
+    function(b.n, b.inputs.data(), b.results.data(), reinterpret_cast<unsigned char*>(b.status.data()));
     for (const Status s : b.status)
       if (s > Status::refused)
         return failed(b, fmt::format("it gave the status {}: 0 is done, 1 is refused", static_cast<int>(s)));
@@ -163,12 +247,14 @@ class Library final : public Adapter {
     return places;
   }
 
-  const liecheck_adapter* adapter_ = nullptr;
+  liecheck_adapter adapter_{};  ///< of version 1, with NULL for the rest
   bool repeats_here_;
   Description description_;
-  std::vector<std::array<liecheck_function, 2>> functions_;  ///< of each operation in float and double
+  std::vector<std::array<CFunction, 2>> functions_;  ///< of all_sizes() in float and double
+  std::map<std::string, std::array<CFunction, 2>> model_functions_;
   std::deque<std::array<Repeats, 2>> repeats_;
-  std::mutex mutex_;
+  std::mutex mutex_, models_mutex_;
+  std::deque<std::pair<std::string, std::shared_ptr<Handle>>> models_;  ///< by their text
 };
 
 }  // namespace
@@ -178,7 +264,10 @@ std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats) {
 }
 CFunction function_of_library(const std::string& file, const std::string& operation,
                               const std::string& scalar) {
-  return opened(file).second()->find(operation.c_str(), scalar.c_str());
+  const liecheck_adapter* const its = opened(file).second();
+  liecheck_adapter all{};
+  std::memcpy(&all, its, its->interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof all);
+  return Library::found(all, operation, scalar == "double");
 }
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
   return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);

@@ -1,4 +1,4 @@
-/* The C interface of an adapter, version 1 (C99). A shared library that exports liecheck_get_adapter() offers
+/* The C interface of an adapter, version 2 (C99). A shared library that exports liecheck_get_adapter() offers
  * its functions to liecheck:
  *
  *     liecheck campaign --adapter ./libmylib_adapter.so
@@ -14,7 +14,8 @@
 extern "C" {
 #endif
 
-#define LIECHECK_ADAPTER_VERSION 1
+/* Adapters of version 1, whose struct ends with `conventions`, are still taken. */
+#define LIECHECK_ADAPTER_VERSION 2
 
 /* The status of one input. liecheck sets each status to liecheck_done before the call. */
 enum liecheck_status {
@@ -26,6 +27,37 @@ enum liecheck_status {
  * its result: consecutive numbers (float or double) without padding. A function must not write to `inputs`.
  * It may be called from several threads at the same time only if the adapter says thread_safe. */
 typedef void (*liecheck_function)(size_t n, const void* inputs, void* results, unsigned char* status);
+
+/* The same, with what it belongs to: the context of the adapter, or a handle of open_model. */
+typedef void (*liecheck_call)(void* context, size_t n, const void* inputs, void* results, unsigned char* status);
+
+/* A tree of bodies or a robot. docs/tree_adapters.md defines each member. */
+struct liecheck_joint {
+  const char* kind;             /* "revolute", "continuous", ... */
+  int parent;                   /* an earlier joint, or -1 for the world */
+  double Q[4], p[3];            /* the pose in the parent's frame where q is neutral */
+  double axis[3];               /* of a kind that has one */
+  double pitch;                 /* of a helical joint [m/rad] */
+  double armature;              /* of each velocity [kg, kg m^2] */
+  int mimic;                    /* the joint that it mimics, or -1 */
+  double multiplier, offset;    /* of a mimic */
+};
+struct liecheck_body {
+  int joint;                    /* that carries it */
+  double Q[4], p[3];            /* its pose in the joint's frame */
+  double mass, c[3], I_C[9];    /* in its own frame */
+};
+struct liecheck_model {
+  double gravity[3];            /* in world axes [m/s^2] */
+  size_t nq, nv;
+  size_t joint_count, body_count;
+  const struct liecheck_joint* joints;
+  const struct liecheck_body* bodies;
+  const char* urdf;             /* instead of joints and bodies: the text of a URDF; otherwise NULL */
+  int fixed;                    /* of a URDF: 1 if its root is fixed to the world, 0 if a free-flyer carries it */
+  size_t order_count;
+  const char* const* order;     /* of a URDF: the names of the joints that move, in the order of q and v */
+};
 
 struct liecheck_adapter {
   uint32_t interface_version; /* LIECHECK_ADAPTER_VERSION */
@@ -42,6 +74,22 @@ struct liecheck_adapter {
   /* Conventions in which the library differs from liecheck, which converts them: "quaternion: wxyz, twist: angular
    * first". docs/adapters.md has all. May be NULL. */
   const char* conventions;
+
+  /* Version 2 from here on. What is NULL is not offered. */
+  void* context; /* is given to each function below */
+
+  /* In place of `find`, which may be NULL then. It is also asked for the library's own checks, "check_quaternion" (4
+   * numbers) and "check_rotation" (9), which have no result and refuse what the library's operations do not accept. */
+  liecheck_call (*find_call)(void* context, const char* operation, const char* scalar);
+
+  /* Trees and robots: docs/tree_adapters.md. */
+  const char* models; /* "joints", "urdf" or "joints, urdf": those that open_model takes */
+  const char* joints; /* "revolute, prismatic": the kinds of joints that it takes; NULL for all */
+  /* A handle for the model, or NULL if it is refused; reason() says why. `model` is valid during the call only. */
+  void* (*open_model)(void* context, const struct liecheck_model* model);
+  void (*close_model)(void* context, void* handle);
+  /* The function of an operation on trees or robots. Its context is the handle of the model. */
+  liecheck_call (*find_model_call)(void* context, const char* operation, const char* scalar);
 };
 
 /* The library defines this function. */

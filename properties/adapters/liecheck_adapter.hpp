@@ -10,10 +10,19 @@
 //     LIECHECK_ADAPTER(MyLib, exp3_quaternion, rotate_point)
 //
 // All arguments of an operation are in one span, one after the other, and so are all numbers of its result.
-// It may also have
+// Functions that are not static belong to one object of the struct, which must have a default constructor. It may also have
 //     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/adapters.md has all
 //     static constexpr bool thread_safe = true;           // several threads may call its functions at the same time
 //     static const char* source(std::string_view operation);                          // see liecheck_get_source()
+//     static void check_quaternion(std::span<const double, 4> Q);  // throws for what its operations do not accept
+//     static void check_rotation(std::span<const double, 9> R);
+// and a struct Model, whose functions are operations on a tree of bodies or a robot (docs/tree_adapters.md). Those that it has
+// are offered:
+//     struct Model {
+//       explicit Model(const liecheck_model& model);         // throws std::exception for a model that is refused
+//       void tree_rnea(std::span<const double> arguments, std::span<double> tau);
+//     };
+//     static constexpr const char *models = "joints, urdf", *joints = "revolute, prismatic";   // by default joints, of all kinds
 //
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
@@ -23,6 +32,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,10 +61,10 @@ constexpr Sizes sizes_of(std::string_view name) {
   return *find_sizes(name);
 }
 
-/// F takes I numbers of S and writes R numbers of S.
-template <class F, class S, std::size_t I, std::size_t R>
-concept Computes = requires(const F& f, std::span<const S, I> in, std::span<S, R> out) {
-  f(in, out);
+/// f(object, in, out) compiles for I numbers of S and R numbers of S.
+template <class F, class Object, class S, std::size_t I, std::size_t R>
+concept Computes = requires(const F& f, Object& object, std::span<const S, I> in, std::span<S, R> out) {
+  f(object, in, out);
 };
 
 inline std::string& last_reason() {
@@ -65,22 +75,111 @@ inline const char* reason() {
   return last_reason().c_str();
 }
 
+/// Calls f(i) for each input. One that throws is refused.
+template <class F>
+void for_each_input(std::size_t n, unsigned char* status, const F& f) {
+  for (std::size_t i = 0; i < n; ++i) try {
+      f(i);
+    } catch (const std::exception& e) {
+      status[i] = liecheck_refused;
+      last_reason() = e.what();
+    }
+}
+
 /// The C function for F, or null if F does not take numbers of S.
-template <class F, class S, std::size_t I, std::size_t R>
-liecheck_function function_in() {
-  if constexpr (Computes<F, S, I, R>)
-    return [](std::size_t n, const void* inputs, void* results, unsigned char* status) {
-      for (std::size_t i = 0; i < n; ++i) try {
-          F()
-          (std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
-           std::span<S, R>(static_cast<S*>(results) + R * i, R));
-        } catch (const std::exception& e) {
-          status[i] = liecheck_refused;
-          last_reason() = e.what();
-        }
+template <class F, class Object, class S, std::size_t I, std::size_t R>
+liecheck_call function_in() {
+  if constexpr (Computes<F, Object, S, I, R>)
+    return [](void* object, std::size_t n, const void* inputs, void* results, unsigned char* status) {
+      for_each_input(n, status, [&](std::size_t i) {
+        F()
+        (*static_cast<Object*>(object), std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
+         std::span<S, R>(static_cast<S*>(results) + R * i, R));
+      });
     };
   else
     return nullptr;
+}
+
+/// The C function of one of the library's own checks, or null if it has none in S.
+template <class Subject, class S>
+liecheck_call check_in(std::string_view name) {
+  constexpr auto quaternion = [](auto& subject, auto Q, auto) requires requires {
+    subject.check_quaternion(Q);
+  }
+  { subject.check_quaternion(Q); };
+  constexpr auto rotation = [](auto& subject, auto R, auto) requires requires { subject.check_rotation(R); }
+  { subject.check_rotation(R); };
+  if (name == "check_quaternion") return function_in<decltype(quaternion), Subject, S, 4, 0>();
+  if (name == "check_rotation") return function_in<decltype(rotation), Subject, S, 9, 0>();
+  return nullptr;
+}
+
+/// A model of the subject, with the sizes of its vectors.
+template <class Model>
+struct Opened {
+  Model model;
+  std::size_t nq, nv;
+};
+
+/// How many numbers an operation on models takes or gives.
+struct ModelSize {
+  std::size_t q, v, vv, one;
+  std::size_t of(std::size_t nq, std::size_t nv) const { return q * nq + v * nv + vv * nv * nv + one; }
+};
+
+/// The C function for F, an operation on models, or null if the model has no such function in S.
+template <class F, class Model, class S, ModelSize in, ModelSize out>
+liecheck_call model_function_in() {
+  if constexpr (Computes<F, Model, S, std::dynamic_extent, std::dynamic_extent>)
+    return [](void* handle, std::size_t n, const void* inputs, void* results, unsigned char* status) {
+      auto& opened = *static_cast<Opened<Model>*>(handle);
+      const std::size_t I = in.of(opened.nq, opened.nv), R = out.of(opened.nq, opened.nv);
+      for_each_input(n, status, [&](std::size_t i) {
+        F()
+        (opened.model, std::span<const S>(static_cast<const S*>(inputs) + I * i, I),
+         std::span<S>(static_cast<S*>(results) + R * i, R));
+      });
+    };
+  else
+    return nullptr;
+}
+template <class Model, class S>
+liecheck_call find_model_function(std::string_view operation) {
+#define LIECHECK_MODEL_OPERATION(name, q_in, v_in, one_in, q_out, v_out, vv_out, one_out)                      \
+  if (operation == #name) {                                                                                    \
+    constexpr auto call = [](auto& model, auto in, auto out) requires requires { model.name(in, out); }        \
+    { model.name(in, out); };                                                                                  \
+    return model_function_in<decltype(call), Model, S, ModelSize{q_in, v_in, 0, one_in},                       \
+                             ModelSize{q_out, v_out, vv_out, one_out}>();                                      \
+  }
+#include <liecheck_model_operations.inc>
+#undef LIECHECK_MODEL_OPERATION
+  return nullptr;
+}
+
+/// Adds what the struct Model offers.
+template <class Subject>
+void add_models(liecheck_adapter& adapter) {
+  if constexpr (requires { typename Subject::Model; }) {
+    using Model = typename Subject::Model;
+    adapter.models = "joints";
+    if constexpr (requires { Subject::models; }) adapter.models = Subject::models;
+    if constexpr (requires { Subject::joints; }) adapter.joints = Subject::joints;
+    adapter.open_model = [](void*, const liecheck_model* model) -> void* {
+      try {
+        return new Opened<Model>{Model(*model), model->nq, model->nv};
+      } catch (const std::exception& e) {
+        last_reason() = e.what();
+        return nullptr;
+      }
+    };
+    adapter.close_model = [](void*, void* handle) { delete static_cast<Opened<Model>*>(handle); };
+    adapter.find_model_call = [](void*, const char* operation, const char* scalar) {
+      return std::string_view(scalar) == "float" ? find_model_function<Model, float>(operation)
+                                                 : find_model_function<Model, double>(operation);
+    };
+  }
 }
 
 /// Subject::conventions, or null if there are none.
@@ -109,18 +208,19 @@ const char* source_of(const char* operation) {
 }
 
 /// Whether F takes I numbers and writes R, of float or double: checked when the adapter is compiled.
-template <class F, std::size_t I, std::size_t R>
-inline constexpr bool offered = Computes<F, float, I, R> || Computes<F, double, I, R>;
+template <class F, class Subject, std::size_t I, std::size_t R>
+inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F, Subject, double, I, R>;
 
 }  // namespace liecheck::adapter
 
-// Calls macro(subject, operation) for each of up to 64 operations.
+// Calls macro(subject, operation) for each of up to 250 operations.
 #define LIECHECK_PARENTHESES ()
 #define LIECHECK_REPEAT(...) LIECHECK_REPEAT1(LIECHECK_REPEAT1(LIECHECK_REPEAT1(__VA_ARGS__)))
 #define LIECHECK_REPEAT1(...) LIECHECK_REPEAT2(LIECHECK_REPEAT2(LIECHECK_REPEAT2(__VA_ARGS__)))
 #define LIECHECK_REPEAT2(...) LIECHECK_REPEAT3(LIECHECK_REPEAT3(LIECHECK_REPEAT3(__VA_ARGS__)))
 #define LIECHECK_REPEAT3(...) LIECHECK_REPEAT4(LIECHECK_REPEAT4(LIECHECK_REPEAT4(__VA_ARGS__)))
-#define LIECHECK_REPEAT4(...) __VA_ARGS__
+#define LIECHECK_REPEAT4(...) LIECHECK_REPEAT5(LIECHECK_REPEAT5(LIECHECK_REPEAT5(__VA_ARGS__)))
+#define LIECHECK_REPEAT5(...) __VA_ARGS__
 #define LIECHECK_EACH(macro, subject, ...) \
   __VA_OPT__(LIECHECK_REPEAT(LIECHECK_NEXT(macro, subject, __VA_ARGS__)))
 #define LIECHECK_NEXT(macro, subject, operation, ...) \
@@ -131,39 +231,48 @@ inline constexpr bool offered = Computes<F, float, I, R> || Computes<F, double, 
   static_assert(liecheck::adapter::is_operation(#name), #name " is no operation: see docs/operations.md"); \
   if (operation == #name) {                                                                                \
     constexpr auto sizes = liecheck::adapter::sizes_of(#name);                                             \
-    constexpr auto call = [](auto in, auto out) requires requires {                                        \
-      Subject::name(in, out);                                                                              \
+    constexpr auto call = [](auto& subject, auto in, auto out) requires requires {                         \
+      subject.name(in, out);                                                                               \
     }                                                                                                      \
-    { Subject::name(in, out); };                                                                           \
+    { subject.name(in, out); };                                                                            \
     using F = decltype(call);                                                                              \
-    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>, #name                        \
-                  " must be static void " #name "(std::span<const S, I> arguments, std::span<S, R> result), "\
-                  "S float or double, all arguments in one span; I and R are in liecheck_operations.inc");  \
-    return scalar == "float" ? liecheck::adapter::function_in<F, float, sizes.inputs, sizes.results>()     \
-                             : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();   \
+    static_assert(liecheck::adapter::offered<F, Subject, sizes.inputs, sizes.results>, #name               \
+                  " must be void " #name "(std::span<const S, I> arguments, std::span<S, R> result), "     \
+                  "S float or double, all arguments in one span; I and R are in liecheck_operations.inc"); \
+    return is_float ? liecheck::adapter::function_in<F, Subject, float, sizes.inputs, sizes.results>()     \
+                    : liecheck::adapter::function_in<F, Subject, double, sizes.inputs, sizes.results>();   \
   }
 
 /// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
-#define LIECHECK_SUBJECT(Subject, ...)                                                      \
-  inline const liecheck_adapter& liecheck_subject(const Subject*) {                         \
-    static constexpr auto find = [](const char* operation_name, const char* scalar_name) {  \
-      const std::string_view operation = operation_name, scalar = scalar_name;              \
-      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                    \
-      return static_cast<liecheck_function>(nullptr);                                       \
-    };                                                                                      \
-    static const liecheck_adapter adapter = {LIECHECK_ADAPTER_VERSION,                      \
-                                             Subject::name,                                 \
-                                             Subject::version,                              \
-                                             liecheck::adapter::is_thread_safe<Subject>(),  \
-                                             find,                                          \
-                                             liecheck::adapter::reason,                     \
-                                             liecheck::adapter::conventions_of<Subject>()}; \
-    return adapter;                                                                         \
+/// liecheck_described(object) describes an object that has a state. It is used as long as the library is.
+#define LIECHECK_SUBJECT(Subject, ...)                                                           \
+  inline liecheck_adapter liecheck_described(Subject& object) {                                  \
+    liecheck_adapter all{};                                                                      \
+    all.interface_version = LIECHECK_ADAPTER_VERSION;                                            \
+    all.name = object.name, all.version = object.version;                                        \
+    all.thread_safe = liecheck::adapter::is_thread_safe<Subject>();                              \
+    all.reason = liecheck::adapter::reason;                                                      \
+    all.conventions = liecheck::adapter::conventions_of<Subject>();                              \
+    all.context = std::addressof(object);                                                        \
+    all.find_call = [](void*, const char* operation_name, const char* scalar) -> liecheck_call { \
+      const std::string_view operation = operation_name;                                         \
+      const bool is_float = std::string_view(scalar) == "float";                                 \
+      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                         \
+      return is_float ? liecheck::adapter::check_in<Subject, float>(operation)                   \
+                      : liecheck::adapter::check_in<Subject, double>(operation);                 \
+    };                                                                                           \
+    liecheck::adapter::add_models<Subject>(all);                                                 \
+    return all;                                                                                  \
+  }                                                                                              \
+  inline const liecheck_adapter& liecheck_subject(const Subject*) {                              \
+    static Subject object{};                                                                     \
+    static const liecheck_adapter adapter = liecheck_described(object);                          \
+    return adapter;                                                                              \
   }
 
 /// The same, and exports it, once in a shared library.
 #define LIECHECK_ADAPTER(Subject, ...)                                \
-  LIECHECK_SUBJECT(Subject, __VA_ARGS__)                              \
+  LIECHECK_SUBJECT(Subject __VA_OPT__(, ) __VA_ARGS__)                \
   extern "C" const liecheck_adapter* liecheck_get_adapter() {         \
     return &liecheck_subject(static_cast<const Subject*>(nullptr));   \
   }                                                                   \

@@ -195,6 +195,7 @@ class LibraryProcess final : public Process {
  private:
   std::unique_ptr<Child> child(double timeout_s) override {
     new (&*memory_) Exchange;
+    model_.clear();
     return std::make_unique<Child>(fmt::format("exec {} adapter serve {} --memory {}",
                                                shell_quoted(std::filesystem::read_symlink("/proc/self/exe")),
                                                shell_quoted(file_), memory_.path()),
@@ -202,32 +203,50 @@ class LibraryProcess final : public Process {
   }
   std::string exchange(Child& child, const Batch& b) override {
     std::string why;
+    Exchange& e = *memory_;
+    if (!b.model.empty() && b.model != model_) {
+      if (b.model.size() > e.bytes.size()) Child::fail("is served in memory that has no room for so large a model");
+      std::memcpy(e.bytes.data(), b.model.data(), b.model.size());
+      e.operation = is_a_model, e.n = static_cast<std::uint32_t>(b.model.size());
+      ask(child);
+      model_ = b.model;
+    }
     Parts part(b.operation, b.is_double, b.n);
+    if (part.n == 0) Child::fail("is served in memory that has no room for a call of so many numbers");
     for (std::size_t done = 0; done < b.n; done += part.n) {
       const Parts now(b.operation, b.is_double, std::min(part.n, b.n - done));
-      std::byte* const bytes = memory_->bytes.data();
+      std::byte* const bytes = e.bytes.data();
       std::memcpy(bytes, b.inputs.data() + done * part.inputs / part.n, now.inputs);
-      memory_->operation = static_cast<std::uint32_t>(&b.operation - operation_sizes().data());
-      memory_->is_double = b.is_double, memory_->n = static_cast<std::uint32_t>(now.n);
-      const std::uint32_t call = memory_->asked + 1;
-      memory_->asked = call;
-      if (memory_->adapter_sleeps.exchange(false)) child.write("\n", 1);
-      bool slept = false;
-      wait_for(
-          memory_->program_sleeps, [&] { return memory_->answered == call; },
-          [&] {
-            if (!slept) child.begin();
-            slept = true;
-            child.wait_for_a_byte();
-          });
+      e.operation = place_of(b), e.is_double = b.is_double, e.n = static_cast<std::uint32_t>(now.n);
+      e.inputs = static_cast<std::uint32_t>(b.operation.inputs), e.results = static_cast<std::uint32_t>(b.operation.results);
+      ask(child);
       std::memcpy(b.results.data() + done * part.results / part.n, bytes + now.inputs, now.results);
       std::memcpy(b.status.data() + done, bytes + now.inputs + now.results, now.n);
-      if (why.empty()) why.assign(memory_->reason.data(), strnlen(memory_->reason.data(), 255));
+      if (why.empty()) why.assign(e.reason.data(), strnlen(e.reason.data(), 255));
     }
     return why;
   }
+  static std::uint32_t place_of(const Batch& b) {
+    if (b.model.empty()) return static_cast<std::uint32_t>(&b.operation - all_sizes().data());
+    const auto at = std::ranges::find(model_operations(), b.operation.operation, &Operation::name);
+    return static_cast<std::uint32_t>(all_sizes().size() + static_cast<std::size_t>(at - model_operations().begin()));
+  }
+  /// Waits for the answer to what is in the memory.
+  void ask(Child& child) {
+    const std::uint32_t call = memory_->asked + 1;
+    memory_->asked = call;
+    if (memory_->adapter_sleeps.exchange(false)) child.write("\n", 1);
+    bool slept = false;
+    wait_for(
+        memory_->program_sleeps, [&] { return memory_->answered == call; },
+        [&] {
+          if (!slept) child.begin();
+          slept = true;
+          child.wait_for_a_byte();
+        });
+  }
 
-  std::string file_;
+  std::string file_, model_;  ///< the model that the child has
   SharedMemory memory_;
 };
 

@@ -1,5 +1,6 @@
 #include <adapters/repeats.hpp>
 
+#include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstring>
@@ -24,7 +25,7 @@ std::string numbers(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-std::size_t Repeats::other_result(liecheck_function function, bool reversed) const {
+std::size_t Repeats::other_result(const CFunction& function, bool reversed) const {
   for (std::size_t k = 0; k < calls_.size(); ++k) {
     const std::size_t i = reversed ? calls_.size() - 1 - k : k;
     const FloatEnvironment environment;  // of this thread
@@ -40,7 +41,7 @@ std::size_t Repeats::other_result(liecheck_function function, bool reversed) con
   return calls_.size();
 }
 
-std::string Repeats::note(const Batch& b, liecheck_function function, bool threads) {
+std::string Repeats::note(const Batch& b, const CFunction& function, bool threads) {
   const std::lock_guard lock(mutex_);
   for (std::size_t i = 0; i < b.n; ++i)
     if (inputs_++ % each == 0 && b.status[i] == Status::done) {

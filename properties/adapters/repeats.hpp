@@ -2,7 +2,6 @@
 // Some calls of a function are repeated later, after other calls and from two threads. A result that then has
 // other bits depends on more than its input.
 
-#include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
 #include <mutex>
 #include <string>
@@ -16,14 +15,14 @@ class Repeats {
   /// Notes every twentieth input with its result. Once 32 are noted, each call is repeated in the opposite order and,
   /// if `threads`, by two threads at the same time in opposite orders. Returns in words which result was another one,
   /// or "".
-  std::string note(const Batch& b, liecheck_function function, bool threads);
+  std::string note(const Batch& b, const CFunction& function, bool threads);
 
  private:
   struct Call {
     std::vector<std::byte> input, result;
   };
   /// The index of the first call whose result is another one now, or of no call.
-  std::size_t other_result(liecheck_function function, bool reversed) const;
+  std::size_t other_result(const CFunction& function, bool reversed) const;
 
   static constexpr unsigned each = 20;
   static constexpr std::size_t enough = 32;

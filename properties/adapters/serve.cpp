@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <adapters/shared_memory.hpp>
+#include <adapters/trees.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -65,18 +66,26 @@ std::string text_of(const Description& d) {
                  {"version", d.version},
                  {"operations", operations},
                  {"conventions", d.conventions},
-                 {"source", d.source}}) +
+                 {"source", d.source},
+                 {"trees", d.joints.empty() ? nlohmann::json{{"models", d.models}}
+                                            : nlohmann::json{{"models", d.models}, {"joints", d.joints}}}}) +
          "\n";
 }
 
-void answer(Adapter& adapter, Exchange& e, const Output& output) {
-  const OperationSizes& o = operation_sizes().at(e.operation);
+/// `model` is the one that calls are about.
+void answer(Adapter& adapter, Exchange& e, const Output& output, std::string& model) {
+  if (e.operation == is_a_model) return void(model.assign(reinterpret_cast<const char*>(e.bytes.data()), e.n));
+  const std::size_t plain = all_sizes().size();
+  const bool of_model = e.operation >= plain;
+  const OperationSizes own = of_model ? OperationSizes{model_operations().at(e.operation - plain)->name, e.inputs, e.results}
+                                      : OperationSizes{};
+  const OperationSizes& o = of_model ? own : all_sizes()[e.operation];
   const bool is_double = e.is_double != 0;
   const Parts part(o, is_double, e.n);
   const std::span all(e.bytes);
   const std::span status(reinterpret_cast<Status*>(&all[part.inputs + part.results]), part.n);
   const Batch batch{o,     is_double, part.n, all.first(part.inputs), all.subspan(part.inputs, part.results),
-                    status};
+                    status, of_model ? std::string_view(model) : std::string_view()};
   std::string why = adapter.call(batch);
   if (output.printed()) {
     std::ranges::fill(status, Status::printed);
@@ -104,12 +113,13 @@ void serve(Adapter& adapter, const std::string& memory) {
   if (hello != std::string(greeting) + "\n")
     throw AdapterFailed("expected the line '" + std::string(greeting) + "'");
   output.say(text_of(adapter.description()));
+  std::string model;
   for (std::uint32_t done = 0;; ++done) {
     bool ended = false;
     wait_for(
         shared->adapter_sleeps, [&] { return ended || shared->asked != done; }, [&] { ended = !slept(); });
     if (ended) return;
-    answer(adapter, *shared, output);
+    answer(adapter, *shared, output, model);
     shared->answered = done + 1;
     if (shared->program_sleeps.exchange(false)) output.wake();
   }

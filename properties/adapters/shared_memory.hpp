@@ -18,11 +18,14 @@ struct Exchange {
   std::atomic<bool> adapter_sleeps{false};
   alignas(64) std::atomic<std::uint32_t> answered{0};
   std::atomic<bool> program_sleeps{false};
-  alignas(64) std::uint32_t operation = 0;  ///< its place in operation_sizes()
+  alignas(64) std::uint32_t operation = 0;  ///< its place in all_sizes(), then in model_operations()
   std::uint32_t is_double = 0, n = 0;
+  std::uint32_t inputs = 0, results = 0;  ///< numbers of one call of an operation on models
   std::array<char, 256> reason{};                      ///< of a refusal, ended by 0
-  alignas(64) std::array<std::byte, 1 << 18> bytes{};  ///< the inputs, the results, the status of each
+  alignas(64) std::array<std::byte, 1 << 22> bytes;  ///< the inputs, the results, the status of each
 };
+/// In place of an operation: `bytes` holds the `n` characters of the model that the following calls are about.
+inline constexpr std::uint32_t is_a_model = 0xffffffff;
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 /// The parts of Exchange::bytes for `n` calls, or for as many of them as have room.

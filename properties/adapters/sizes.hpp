@@ -2,6 +2,7 @@
 // How many numbers each operation takes and gives.
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,13 +13,17 @@ struct OperationSizes {
   std::size_t inputs, results;
 };
 
-/// The operations that an adapter can offer, in the order of docs/operations.md.
-const std::vector<OperationSizes>& operation_sizes();
+/// The operations that an adapter can offer, in the order of docs/operations.md, then a library's own checks
+/// check_quaternion and check_rotation, which have no result.
+const std::vector<OperationSizes>& all_sizes();
 
-/// One of operation_sizes(), or null if there is no such operation.
+/// Those without the checks.
+std::span<const OperationSizes> operation_sizes();
+
+/// One of all_sizes(), or null if there is no such operation.
 const OperationSizes* sizes_of(std::string_view operation);
 
-/// Whether a process can offer the operation: one of operation_sizes(), or one on trees or robots.
+/// Whether an adapter can offer the operation: one of all_sizes(), or one on trees or robots.
 bool is_operation(std::string_view name);
 
 }  // namespace liecheck::properties::adapters

@@ -115,9 +115,21 @@ template <int number, class S, const auto&... all>
 void fill_all(Slots<S, all...>& slots, const Description& d) {
   (fill<number, S, all>(slots[all], d), ...);
 }
+/// A library's own check of a quaternion or a rotation.
+template <int number, class S, class T>
+void fill_check(std::function<void(const T&)>& slot, const char* name, const Description& d) {
+  if (!d.offered.contains({name, std::string(oracles::scalar_of<S>.name)})) return;
+  slot = [&sizes = *sizes_of(name)](const T& x) {
+    std::array<S, Shape<T>::size> numbers;
+    Shape<T>::put(x, numbers.data());
+    call_numbers(number, sizes, sizeof(S) == 8, std::as_bytes(std::span(numbers)), {});
+  };
+}
 template <int number, class S>
 void fill_operations(TypedOperations<S>& o, const Description& d) {
   fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
+  fill_check<number, S>(o.check_quaternion, "check_quaternion", d);
+  fill_check<number, S>(o.check_rotation, "check_rotation", d);
   if (offers_trees(d, std::string(oracles::scalar_of<S>.name)))
     o.tree = [d](const Tree<S>& tree) {
       return tree_operations(tree, d, []() -> Adapter& { return adapter(number); });
@@ -139,8 +151,8 @@ OperationSizes sizes_in(const Operation& o, R (*)(A...)) {
   return {o.name, (Shape<std::remove_cvref_t<A>>::size + ...), Shape<R>::size};
 }
 template <class S, const auto&... all>
-std::vector<OperationSizes> all_sizes(const Slots<S, all...>& slots) {
-  return {sizes_in<S>(all, slots[all])...};
+std::vector<OperationSizes> sizes_with_checks(const Slots<S, all...>& slots) {
+  return {sizes_in<S>(all, slots[all])..., {"check_quaternion", 4, 0}, {"check_rotation", 9, 0}};
 }
 
 std::unique_ptr<Adapter> converted(std::unique_ptr<Adapter> own) {
@@ -187,9 +199,12 @@ std::string register_as(const std::string& text, const std::string& name, bool i
 
 }  // namespace
 
-const std::vector<OperationSizes>& operation_sizes() {
-  static const std::vector<OperationSizes> all = all_sizes(SpatialSlots<double>());
+const std::vector<OperationSizes>& all_sizes() {
+  static const std::vector<OperationSizes> all = sizes_with_checks(SpatialSlots<double>());
   return all;
+}
+std::span<const OperationSizes> operation_sizes() {
+  return std::span(all_sizes()).first(all_sizes().size() - 2);
 }
 
 std::string library_in(const std::string& text) {
@@ -205,7 +220,7 @@ std::unique_ptr<Adapter> start(const std::string& text) {
 }
 
 const OperationSizes* sizes_of(std::string_view operation) {
-  const auto& all = operation_sizes();
+  const auto& all = all_sizes();
   const auto found = std::ranges::find(all, operation, &OperationSizes::operation);
   return found == all.end() ? nullptr : &*found;
 }

@@ -141,11 +141,18 @@ const std::vector<std::string>& joint_names() {
   return all;
 }
 
+const std::vector<const Operation*>& model_operations() {
+  static const std::vector<const Operation*> all = [] {
+    std::vector<const Operation*> list;
+    const auto add = [&](const Operation& o) { list.push_back(&o); };
+    TreeOperations<double>::for_each(add), RobotOperations<double>::for_each(add);
+    return list;
+  }();
+  return all;
+}
 const Operation* model_operation(std::string_view name) {
-  const Operation* found = nullptr;
-  const auto look = [&](const Operation& o) { found = o.name == name ? &o : found; };
-  TreeOperations<double>::for_each(look), RobotOperations<double>::for_each(look);
-  return found;
+  const auto found = std::ranges::find(model_operations(), name, &Operation::name);
+  return found == model_operations().end() ? nullptr : *found;
 }
 
 bool offers_trees(const Description& adapter, const std::string& scalar) {
@@ -170,11 +177,17 @@ Model<S>::Model(const Tree<S>& tree, const Description& adapter, Route route)
   frame_.insert(frame_.end(), tree.frame_p.x.begin(), tree.frame_p.x.end());
   const bool urdf = tree.urdf && adapter.models.contains("urdf");
   if (!urdf) unsupported_ = unsupported(tree, adapter);
-  text_ = dumped(urdf ? urdf_of(*tree.urdf, list(tree.gravity.x)) : joints_of(tree));
+  json text = urdf ? urdf_of(*tree.urdf, list(tree.gravity.x)) : joints_of(tree);
+  text["nq"] = nq_, text["nv"] = nv_;
+  text_ = dumped(text);
 }
 template <class S>
 Model<S>::Model(const UrdfModel& robot, Route route)
-    : text_(dumped(urdf_of(robot, {0, 0, -9.81}))), nq_(robot.nq), nv_(robot.nv), route_(std::move(route)) {}
+    : nq_(robot.nq), nv_(robot.nv), route_(std::move(route)) {
+  json text = urdf_of(robot, {0, 0, -9.81});
+  text["nq"] = nq_, text["nv"] = nv_;
+  text_ = dumped(text);
+}
 
 template <class S>
 OperationSizes Model<S>::sizes(const Operation& o) const {

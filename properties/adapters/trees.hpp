@@ -1,5 +1,5 @@
 #pragma once
-// Trees of bodies and robots over the process protocol. A model is one line of JSON; docs/adapters.md has its
+// Trees of bodies and robots that an adapter is asked about. A model is one line of JSON; docs/adapters.md has its
 // members. A call has the arguments of its operation as consecutive numbers; joint and reference are numbers,
 // too. A frame (joint, Q, p) follows the arguments of each operation on a frame.
 
@@ -13,7 +13,9 @@ namespace liecheck::properties::adapters {
 /// The names of the kinds of joints in the order of oracles::JointKind, then "mimic" and "armature".
 const std::vector<std::string>& joint_names();
 
-/// The record of an operation on trees or robots, or null.
+/// Every operation on trees and robots.
+const std::vector<const Operation*>& model_operations();
+/// One of them, or null.
 const Operation* model_operation(std::string_view name);
 
 /// Where to send calls of a model, and how.

@@ -25,8 +25,8 @@ struct Types {
 template <class S>
 struct TypedOperations : SpatialSlots<S>, Types<S> {
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
-  void (*check_quaternion)(const Vec<S, 4>& Q) = nullptr;
-  void (*check_rotation)(const Mat<S, 3>& R) = nullptr;
+  std::function<void(const Vec<S, 4>& Q)> check_quaternion;
+  std::function<void(const Mat<S, 3>& R)> check_rotation;
 
   /// Reads a URDF and returns the operations on configurations of this robot. If `fixed`, the root is welded
   /// to the world; otherwise it is a free-flyer.

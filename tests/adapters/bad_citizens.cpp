@@ -84,12 +84,8 @@ liecheck_function find(const char* operation, const char* scalar) {
 }  // namespace
 
 extern "C" const liecheck_adapter* liecheck_get_adapter() {
-  static const liecheck_adapter adapter = {way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION,
-                                           "bad",
-                                           "1",
-                                           way() == "threads",
-                                           find,
-                                           nullptr,
-                                           nullptr};
+  static liecheck_adapter adapter{};
+  adapter.interface_version = way() == "version" ? 7U : 1U;
+  adapter.name = "bad", adapter.version = "1", adapter.thread_safe = way() == "threads", adapter.find = find;
   return &adapter;
 }
