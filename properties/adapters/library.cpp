@@ -139,7 +139,7 @@ class Library final : public Adapter {
       function = functions_[index(b)][b.is_double];
     } else {
       std::string why;
-      model = opened(b.model, why);
+      model = handle_of(b.model, why);
       if (!model) return std::ranges::fill(b.status, Status::refused), why;
       function = model_functions_.at(std::string(b.operation.operation))[b.is_double];
       function.context = model->handle;
@@ -178,7 +178,7 @@ class Library final : public Adapter {
     return why ? why : "";
   }
   /// The model of the text, or null if the library refuses it for the reason `why`.
-  std::shared_ptr<Handle> opened(std::string_view text, std::string& why) try {
+  std::shared_ptr<Handle> handle_of(std::string_view text, std::string& why) try {
     const std::lock_guard lock(models_mutex_);
     const auto known = std::ranges::find(models_, text, &std::pair<std::string, std::shared_ptr<Handle>>::first);
     if (known != models_.end()) return known->second;

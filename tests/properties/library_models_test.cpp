@@ -49,7 +49,7 @@ TEST(LibraryModels, ASimulatorInCppObeysEveryLawOfWhatItOffers) {
   EXPECT_FALSE(r.failed);
   std::set<std::string> laws;
   for (const SeriesResult& s : r.series) laws.insert(s.series->property);
-  EXPECT_EQ(laws, (std::set<std::string>{"lagrange", "mass_matrix", "power_balance"}));
+  EXPECT_EQ(laws, (std::set<std::string>{"lagrange", "mass_matrix", "power_balance", "tree_invariance"}));
 }
 
 TEST(LibraryModels, ASimulatorInAProcessOfItsOwnGivesTheSame) {
@@ -62,9 +62,12 @@ TEST(LibraryModels, ASimulatorInAProcessOfItsOwnGivesTheSame) {
 
 TEST(LibraryModels, TheListOfOperationsOnModelsHasTheirSizes) {
   std::set<std::string> listed;
-  for (const bool fixed : {true, false}) {
-    const UrdfModel robot = pendulum(fixed);
-    const Model<double> model(robot, nullptr);
+  for (const auto kind : {oracles::JointKind::revolute, oracles::JointKind::free_flyer}) {
+    Tree<double> tree;
+    tree.joints.emplace_back();
+    tree.joints[0].kind = kind, tree.joints[0].parent = tree.joints[0].primary = -1;
+    tree.index();
+    const Model<double> model(tree, Description{}, nullptr);
     const auto compare = [&](const char* name, adapter::ModelSize in, adapter::ModelSize out) {
       const Operation* const o = model_operation(name);
       ASSERT_TRUE(o) << name;

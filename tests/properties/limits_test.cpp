@@ -271,8 +271,12 @@ TEST(Domains, LimitTheAngleOfALogarithmOrOfADifference) {
       if (operation.find("_of_") != operation.npos) continue;  // needs two operations, each with its angle
       const Band& band = s.bands()[static_cast<std::size_t>(cell.second)];
       const bool beyond_one = band.region == Region::beyond_pi || band.axis == Axis::pi_minus_theta;
-      if (beyond_one) EXPECT_EQ(row.outside_domain, row.count) << property << " " << band.name;
-      if (band.axis == Axis::theta && band.high <= 1) EXPECT_EQ(row.outside_domain, 0u) << property;
+      if (beyond_one) {
+        EXPECT_EQ(row.outside_domain, row.count) << property << " " << band.name;
+      }
+      if (band.axis == Axis::theta && band.high <= 1) {
+        EXPECT_EQ(row.outside_domain, 0u) << property;
+      }
       outside += row.outside_domain;
     }
     EXPECT_GT(outside, 50u) << property;

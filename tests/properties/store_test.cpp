@@ -358,3 +358,5 @@ TEST_F(Stores, StopAtASignalAndSayHowToResume) {
 
 }  // namespace
 }  // namespace liecheck::properties
+
+#undef EXPECT_SAYS

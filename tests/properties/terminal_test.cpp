@@ -418,3 +418,5 @@ TEST(Terminal, AComparisonHasReplaysAndARecord) {
 }
 
 }  // namespace
+
+#undef EXPECT_SAYS
