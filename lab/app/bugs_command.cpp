@@ -12,17 +12,19 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  BugBench bench;  ///< seed, scalar and seconds; a look-alike gets a tenth of the seconds
+  BugBench bench;  ///< seed, scalar and seconds; a look-alike gets a tenth of the seconds and cases
+  std::uint64_t cases = 0;
   std::string json;
   RobotFlags robot;
 };
 
 /// Runs the subject until a case fails.
-void hunt_down(BugRow& bug, const BugBench& bench, const Robot& robot) {
+void hunt_down(BugRow& bug, const BugBench& bench, std::uint64_t cases, const Robot& robot) {
+  const std::uint64_t most = cases ? cases : std::numeric_limits<std::uint64_t>::max();
   const FirstFailure f = first_failure({{{bug.name}, {}, {bench.scalar}},
                                         bench.seed,
                                         0,
-                                        std::numeric_limits<std::uint64_t>::max(),
+                                        bug.alike() ? most / 10 : most,
                                         bug.alike() ? bench.seconds_each / 10 : bench.seconds_each},
                                        robot);
   bug.by = f.by, bug.cases = f.cases, bug.seconds = f.seconds, bug.killed = !f.by.empty();
@@ -78,7 +80,7 @@ int run(const Flags& f) {
     if (stop_requested) break;
     BugRow bug;
     bug.name = known.name, bug.fault = known.fault, bug.origin = known.origin;
-    hunt_down(bug, bench, robot);
+    hunt_down(bug, bench, f.cases, robot);
     if (stop_requested && !bug.killed) break;  // the bug did not get all of its time
     const auto subject =
         std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
@@ -106,6 +108,7 @@ Command bugs_command(CLI::App& lab) {
   a.seed(b.seed, "seed of the cases");
   a.duration("--for-each", b.seconds_each,
              "time for each bug: 30s, 5m; default 60s; each look-alike gets a tenth of it");
+  a.number("--cases", a->cases, 1, 1000000000, "cases of each law for each bug, at most; each look-alike gets a tenth");
   a.json(a->json, "write the table to FILE");
   a->robot.add(a);
   return a.runs(run);

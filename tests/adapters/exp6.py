@@ -6,16 +6,20 @@ import sys
 import numpy as np
 
 
+text, array = ctypes.c_char_p, ctypes.c_void_p
+
+
 class Adapter(ctypes.Structure):  # liecheck_adapter.h
-    _fields_ = [("interface_version", ctypes.c_uint32), ("name", ctypes.c_char_p), ("version", ctypes.c_char_p),
-                ("thread_safe", ctypes.c_int), ("find", ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p))]
+    _fields_ = [("interface_version", ctypes.c_uint32), ("name", text), ("version", text), ("thread_safe", ctypes.c_int),
+                ("find", array), ("reason", array), ("conventions", text), ("context", array),
+                ("find_call", ctypes.CFUNCTYPE(array, array, text, text))]
 
 
 library = ctypes.CDLL(sys.argv[1])
 library.liecheck_get_adapter.restype = ctypes.POINTER(Adapter)
-array = ctypes.c_void_p
-exp6 = ctypes.CFUNCTYPE(None, ctypes.c_size_t, array, array, array)(
-    library.liecheck_get_adapter().contents.find(b"exp6", b"double"))
+adapter = library.liecheck_get_adapter().contents
+exp6 = ctypes.CFUNCTYPE(None, array, ctypes.c_size_t, array, array, array)(
+    adapter.find_call(adapter.context, b"exp6", b"double"))
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
 answers.write(json.dumps({"protocol": 1, "name": "exp6_numpy", "version": "1", "operations": {"exp6": ["double"]}}).encode() + b"\n")
@@ -23,6 +27,6 @@ answers.flush()
 for call in iter(calls.readline, b""):
     n = int(call.split()[3])
     inputs, results, status = np.frombuffer(calls.read(n * 48)), np.empty(n * 12), np.zeros(n, np.uint8)
-    exp6(n, inputs.ctypes.data, results.ctypes.data, status.ctypes.data)
+    exp6(adapter.context, n, inputs.ctypes.data, results.ctypes.data, status.ctypes.data)
     answers.write(b"done %d\n" % n + status.tobytes() + results.tobytes())
     answers.flush()

@@ -8,7 +8,8 @@
 # - if the run with the estimate of its error takes over 1.5 times as many;
 # - if what `liecheck scene explain` counts differs by more than 5 % from valgrind's count, whose processor chooses
 #   other variants of libm and memcpy.
-# Exit code 77: no valgrind. Without LIECHECK_NIGHTLY=1 it leaves out some scenes.
+# Exit code 77: no valgrind. Without LIECHECK_NIGHTLY=1 it leaves out some scenes, and what explain counts of trees: where
+# the processor does not count instructions for it, that takes 25 s a scene.
 command -v valgrind > /dev/null || { echo "valgrind is missing"; exit 77; }
 PROGRAM=$1 URDF=$2 FEET=$3 status=0
 count() {  # arguments: way scene steps
@@ -39,7 +40,7 @@ for scene in $scenes; do
   case $scene in arm) limit=1.025 ;; standing) limit=1.045 ;; *) limit=1.02 ;; esac
   steps=$(step scene $scene 100 400)
   compare $scene "a scene" "$steps" "the loop by hand" "$(step hand $scene 100 400)" 0 $limit
-  explained $scene "$steps"
+  [ "$LIECHECK_NIGHTLY" != 1 ] && [ $scene != free ] || explained $scene "$steps"
 done
 compare free "a scene" "$(step scene free 100 400)" Tree "$(step tree free 100 400)" 0 0.11
 for scene in $more; do
