@@ -1,3 +1,4 @@
+#include <invariants/property.hpp>
 #include <lattice/lab.hpp>
 
 #include <fmt/format.h>

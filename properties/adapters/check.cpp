@@ -1,5 +1,6 @@
 #include <adapters/check.hpp>
 
+#include <conventions/probe.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <adapters/converted.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // What a check of an adapter finds.
 
-#include <conventions/probe.hpp>
+#include <conventions/finding.hpp>
 #include <string>
 #include <vector>
 

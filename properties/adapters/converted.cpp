@@ -1,5 +1,6 @@
 #include <adapters/converted.hpp>
 
+#include <conventions/probe.hpp>
 #include <fmt/format.h>
 #include <adapters/sizes.hpp>
 #include <operations/operations.hpp>

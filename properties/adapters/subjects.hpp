@@ -3,7 +3,6 @@
 
 #include <adapters/adapter.hpp>
 #include <string>
-#include <subjects/typed.hpp>
 
 namespace liecheck::properties::adapters {
 

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 #include <budgets/profile.hpp>
 #include <campaign/selection.hpp>
-#include <operations/operations.hpp>
+#include <operations/list.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties {

@@ -3,10 +3,10 @@
 #include <app/command.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <operations/operations.hpp>
+#include <operations/list.hpp>
 #include <rules/rules.hpp>
 #include <set>
-#include <subjects/subject.hpp>
+#include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {
 

@@ -2,7 +2,7 @@
 // The inputs on which a subject promises its limits: bounds of the quantities that its operations take.
 
 #include <generators/input_layout.hpp>
-#include <operations/operation.hpp>
+#include <operations/description.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <generators/random_bits.hpp>
 #include <numbers>
+#include <invariants/property.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 

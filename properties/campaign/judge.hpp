@@ -5,7 +5,8 @@
 #include <array>
 #include <campaign/tally.hpp>
 #include <limits>
-#include <oracles/ball_error.hpp>
+#include <generators/angle_bands.hpp>
+#include <oracles/undecided.hpp>
 #include <vector>
 
 namespace liecheck::properties {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <oracles/ball_error.hpp>
+#include <oracles/undecided.hpp>
 
 namespace liecheck::properties {
 

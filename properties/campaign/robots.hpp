@@ -1,7 +1,9 @@
 #pragma once
 // The robot of a campaign, from a URDF, and its hash.
 
-#include <invariants/property.hpp>
+#include <invariants/measurement.hpp>
+#include <string>
+#include <vector>
 
 namespace liecheck::properties {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <invariants/property.hpp>
 #include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {

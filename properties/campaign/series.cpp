@@ -1,5 +1,6 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
 #include <campaign/series.hpp>
+#include <invariants/property.hpp>
 #include <campaign/window.hpp>
 
 #include <fmt/format.h>
@@ -101,10 +102,12 @@ std::uint64_t next_series_number() {
 
 }  // namespace
 
+Series::~Series() = default;
+
 Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested,
                             const Robot& robot_used, std::shared_ptr<const SubjectLimits> limits,
                             Profile judging)
-    : law_(std::move(law_tested)), subject_(tested), number_(next_series_number()) {
+    : law_(std::move(law_tested)), subject_(tested), format_(*tested.scalar), number_(next_series_number()) {
   const Statement& stated = law_->statement();
   property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
   subject = tested.name, subject_version = tested.version, adapter = tested.adapter;

@@ -11,7 +11,7 @@
 #include <campaign/judge.hpp>
 #include <campaign/ranges.hpp>
 #include <campaign/tally.hpp>
-#include <invariants/property.hpp>
+#include <invariants/measurement.hpp>
 #include <memory>
 #include <subjects/call_log.hpp>
 
@@ -22,6 +22,7 @@ class Series {
   /// `tested` must outlive the series.
   Series(std::unique_ptr<Property> law, const Subject& tested, const Robot& robot,
          std::shared_ptr<const SubjectLimits> limits = nullptr, Profile profile = Profile::ours);
+  ~Series();
 
   std::string property, subject, subject_version, scalar, robot;
   std::string adapter;  ///< how the subject was given with --adapter, or ""
@@ -40,7 +41,7 @@ class Series {
   /// The line of the limits file that expects failures of this output in this band, or null.
   const ExpectedFailure* expected(std::size_t output, std::size_t band) const;
   /// What the subject's numbers are rounded to; `scalar` is its name.
-  const Scalar& format() const { return *subject_.scalar; }
+  const Scalar& format() const { return format_; }
   const Bands& bands() const { return Bands::of(format()); }
   const Budget& budget(std::size_t output, Region region) const {
     return *limits_.at(output).budgets[region == Region::to_pi ? 0 : 1];
@@ -130,6 +131,7 @@ class Series {
 
   std::unique_ptr<Property> law_;
   const Subject& subject_;
+  const Scalar& format_;
   std::vector<Budget> own_table_;  ///< if it has a limits file
   Limits limits_;
   Domain domain_;

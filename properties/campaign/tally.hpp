@@ -6,7 +6,7 @@
 #include <campaign/histogram.hpp>
 #include <campaign/ranges.hpp>
 #include <generators/coverage.hpp>
-#include <invariants/property.hpp>
+#include <invariants/measurement.hpp>
 #include <map>
 #include <utility>
 #include <vector>

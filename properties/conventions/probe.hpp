@@ -5,6 +5,7 @@
 // conventions is searched for the cheapest explanation of all answers: a convention costs 1, an operation that
 // deviates by one convention from the others 1.5, an operation that nothing explains 4.
 
+#include <conventions/finding.hpp>
 #include <conventions/values.hpp>
 #include <string>
 
@@ -25,15 +26,6 @@ bool has_order(const Operation& operation);
 /// Generic arguments with rotation angles from 0.3 to 2.5, rounded to S, and with each order of Euler angles.
 template <class S>
 std::vector<Numbers> probe_arguments(const Operation& operation);
-
-/// An answer that differs from the right one by more of its largest number is another convention, or wrong.
-inline constexpr double probe_tolerance = 1e-3;
-
-struct Finding {
-  bool named;  ///< a convention; otherwise one operation that no known convention explains
-  std::string sentence;
-  std::vector<std::string> operations;
-};
 
 /// The conventions and then the unexplained operations; nothing if all answers are right.
 std::vector<Finding> explain(const std::vector<Probed>& all);

@@ -1,5 +1,6 @@
 #include <conventions/stated.hpp>
 
+#include <conventions/values.hpp>
 #include <fmt/format.h>
 #include <conventions/table.hpp>
 #include <numeric>

@@ -1,9 +1,10 @@
 #pragma once
 // The conventions that an adapter states, and the exact conversion of its arguments and results.
 
-#include <conventions/values.hpp>
 #include <map>
+#include <operations/description.hpp>
 #include <string>
+#include <vector>
 
 namespace liecheck::properties::conventions {
 

@@ -1,3 +1,4 @@
+#include <conventions/values.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <adapters/adapter.hpp>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <campaign/series.hpp>
 #include <conventions/reference.hpp>
+#include <invariants/property.hpp>
 #include <invariants/witness.hpp>
 #include <subjects/hooked.hpp>
 

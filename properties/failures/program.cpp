@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/series.hpp>
+#include <invariants/property.hpp>
 #include <regex>
 #include <set>
 

@@ -1,3 +1,4 @@
+#include <failures/calls.hpp>
 #include <failures/result.hpp>
 
 #include <fmt/format.h>

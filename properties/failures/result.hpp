@@ -2,9 +2,11 @@
 // What a failure says of one result: input, error, limit, what was returned and what is right.
 
 #include <campaign/series.hpp>
-#include <failures/calls.hpp>
 
 namespace liecheck::properties {
+
+struct NotedCall;  // calls.hpp
+struct NotedCase;
 
 /// "7.4 of 15.7 digits lost" for an error or excess in eps; "" below 2 eps.
 std::string digits_lost(double score, double eps);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <oracles/number.hpp>
 
 namespace liecheck::properties {
 
@@ -23,6 +24,15 @@ double head(const oracles::Ball<M>& x) {
   return x.head();
 }
 }  // namespace
+
+struct Bands::Edge {
+  Real exact;
+  oracles::DoubleDouble rounded;  ///< to a relative 2^-106
+  explicit Edge(const Real& x);
+  template <class T>
+  T as() const;
+};
+Bands::~Bands() = default;
 
 Bands::Edge::Edge(const Real& x) : exact(x), rounded{head(x), 0} {
   rounded.low = head(x - rounded.high);
@@ -90,7 +100,7 @@ Bands::Bands(int min_exponent, int digits) {
   huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);
 }
 
-template <oracles::OracleNumber T>
+template <class T>
 std::size_t Bands::classify(const T& theta) const {
   static const T pi_value = Edge(pi()).as<T>();
   if (theta == T(0)) return first_theta_;

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <oracles/number.hpp>
 #include <oracles/scalar.hpp>
 #include <string>
 #include <vector>
@@ -35,24 +34,19 @@ class Bands {
   const Band& operator[](std::size_t i) const { return bands_[i]; }
 
   /// The band of theta >= 0 [rad]. Throws oracles::Undecided if theta is a ball that contains an edge.
-  template <oracles::OracleNumber T>
+  template <class T>
   std::size_t classify(const T& theta) const;
   /// The band of an angle in (0, 2^-900): "subnormal" or "theta^2 underflows".
   std::size_t underflowing(bool is_subnormal) const { return first_theta_ + (is_subnormal ? 1 : 2); }
   /// The band of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
 
+  ~Bands();
+
  private:
   Bands(int min_exponent, int digits);
 
-  /// An angle between two bands.
-  struct Edge {
-    oracles::Real exact;
-    oracles::DoubleDouble rounded;  ///< to a relative 2^-106
-    explicit Edge(const oracles::Real& x);
-    template <class T>
-    T as() const;
-  };
+  struct Edge;  ///< an angle between two bands
   std::vector<Band> bands_;
   std::vector<Edge> theta_edges_, pi_edges_;
   std::size_t first_theta_ = 0, generic_ = 0, first_pi_ = 0, pi_ = 0, beyond_ = 0, near_2pi_ = 0, huge_ = 0;

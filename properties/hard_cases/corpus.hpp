@@ -1,8 +1,9 @@
 #pragma once
 // The corpus of hard cases, fixtures/hard_cases/*.txt. The README there defines the format of a line.
 
+#include <generators/input_layout.hpp>
 #include <hard_cases/expression.hpp>
-#include <invariants/property.hpp>
+#include <invariants/measurement.hpp>
 
 namespace liecheck::properties {
 

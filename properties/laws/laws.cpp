@@ -1,3 +1,4 @@
+#include <invariants/property.hpp>
 #include <laws/liecheck_law.hpp>
 
 #include <adapters/liecheck_adapter.h>

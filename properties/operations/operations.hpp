@@ -1,15 +1,14 @@
 #pragma once
-// All operations, as the slots of a subject and as a list. Their error limits are in budgets/budgets.csv.
+// All operations, as the slots of a subject. Their error limits are in budgets/budgets.csv.
 
 #include <operations/configurations.hpp>
 #include <operations/exponentials.hpp>
+#include <operations/list.hpp>
 #include <operations/orientations.hpp>
 #include <operations/planar.hpp>
 #include <operations/quaternions.hpp>
 #include <operations/spatial.hpp>
 #include <operations/trees.hpp>
-#include <string>
-#include <vector>
 
 namespace liecheck::properties {
 
@@ -44,11 +43,5 @@ using TreeOperations =
           op::tree_potential_energy, op::tree_momentum, op::tree_momentum_map, op::frame_pose,
           op::frame_velocity, op::frame_acceleration, op::frame_classical_acceleration, op::frame_jacobian,
           op::frame_jacobian_rate>;
-
-/// All operations with slots, then the quantities that laws form from them.
-const std::vector<const Operation*>& all_operations();
-
-/// The page docs/operations.md in Markdown, with a final newline.
-std::string operations_table();
 
 }  // namespace liecheck::properties

@@ -13,20 +13,13 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
-#include <exception>
 #include <limits>
 #include <oracles/double_double.hpp>
 #include <oracles/real.hpp>
+#include <oracles/undecided.hpp>
 #include <tuple>
 
 namespace liecheck::oracles {
-
-/// The error bound is too wide to decide a comparison.
-struct Undecided : std::exception {
-  const char* what() const noexcept override {
-    return "the error bound of ball arithmetic is too wide to decide";
-  }
-};
 
 /// How a midpoint type rounds. head(m) is a double within 2^-52 |m| of m. The constants bound the relative
 /// errors of the operations, of the sine and cosine of a small angle, and of stumpff_series. The error of a sum is

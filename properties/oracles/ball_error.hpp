@@ -10,9 +10,6 @@
 
 namespace liecheck::oracles {
 
-/// The accuracy of an error from ball arithmetic, relative to the larger of the error and 1 eps.
-inline constexpr double error_accuracy = 1e-4;
-
 /// Errors of a computed rotation matrix [eps]: of its rotation, and of its orthogonality.
 struct MatrixErrors {
   double rotation, defect;

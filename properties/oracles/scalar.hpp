@@ -5,9 +5,9 @@
 // every scalar. Only what must keep the bits of a computation in the scalar is a template: generators and simpler
 // inputs (generators/), and the conversion around a call (subjects/erased.cpp).
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,7 +41,7 @@ inline constexpr Scalar scalar_of{std::is_same_v<S, float> ? "float" : "double",
                                   sizeof(S),
                                   std::numeric_limits<S>::epsilon(),
                                   std::numeric_limits<S>::min(),
-                                  boost::math::constants::pi<S>()};
+                                  std::numbers::pi_v<S>};
 
 /// "float" or "double". Throws std::invalid_argument naming the text.
 inline const Scalar& scalar_named(std::string_view name) {

@@ -2,7 +2,7 @@
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
 #include <timing/cost.hpp>
-#include <timing/inputs.hpp>
+#include <timing/bands.hpp>
 
 namespace liecheck::properties {
 

@@ -1,5 +1,6 @@
 // What a record adds for the page: the numbers of worst cases, and the maps of the error.
 
+#include <failures/calls.hpp>
 #include <fmt/format.h>
 #include <campaign/error_map.hpp>
 #include <cstdlib>

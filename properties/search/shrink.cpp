@@ -1,3 +1,4 @@
+#include <invariants/property.hpp>
 #include <search/shrink.hpp>
 
 #include <algorithm>

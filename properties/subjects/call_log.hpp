@@ -9,7 +9,7 @@
 // or a result that the subject copies from a variable of its own.
 
 #include <memory>
-#include <operations/operation.hpp>
+#include <operations/description.hpp>
 #include <string>
 #include <subjects/outcome.hpp>
 #include <vector>

@@ -41,8 +41,4 @@ struct Subject {
 /// Every subject in this scalar, in alphabetical order.
 std::vector<const Subject*> subjects(const Scalar& scalar);
 
-/// Names of the optional libraries that the build did not find. The file of such a subject registers nothing.
-/// registry.cpp lists the optional libraries.
-std::vector<std::string> absent_subjects();
-
 }  // namespace liecheck::properties

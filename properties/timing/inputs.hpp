@@ -2,25 +2,12 @@
 // Random inputs on which time and error are measured, each from one band of angles.
 
 #include <algorithm>
-#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <generators/rotations.hpp>
 #include <invariants/property.hpp>
+#include <timing/bands.hpp>
 
 namespace liecheck::properties {
-
-/// theta, or pi - theta if `from_pi`, is in [low, high]: uniform if `uniform`, otherwise log-uniform.
-struct CostBand {
-  const char* name;
-  double low, high;
-  bool from_pi, uniform;
-};
-/// In float, no edge is equal to 0 or pi.
-inline constexpr std::array<CostBand, 5> cost_bands = {{{"theta 1e-12..1e-5", 1e-12, 1e-5, false, false},
-                                                        {"theta 1e-5..1e-3", 1e-5, 1e-3, false, false},
-                                                        {"theta 1e-3..0.1", 1e-3, 0.1, false, false},
-                                                        {"theta 0.1..pi-0.1", 0.1, 3.0415, false, true},
-                                                        {"pi-theta 1e-5..0.1", 1e-5, 0.1, true, false}}};
 
 namespace timing_detail {
 

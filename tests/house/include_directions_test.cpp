@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "source_files.hpp"
 
@@ -250,6 +251,78 @@ TEST(Includes, ACycleIsFound) {
   EXPECT_TRUE(cycles(files).empty());
   files["lib/liecheck/urdf/b.cpp"] += "#include <liecheck/urdf/a.hpp>\n";
   EXPECT_EQ(cycles(files), std::vector<std::string>{"lib/liecheck/urdf/a, lib/liecheck/urdf/b"});
+}
+
+/// The includes by which `path` sees a header that starts with one of `what`, directly or through headers of the
+/// project: "a.cpp > b.hpp > Eigen/Core"; "" if it sees none.
+std::string way_to(const Files& files, const std::string& path, const std::vector<std::string>& what) {
+  std::vector<std::pair<std::string, std::string>> open{{path, path}};
+  std::set<std::string> seen{path};
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (const std::string& include : includes_of(files.at(open[i].first))) {
+      const std::string way = open[i].second + " > " + include;
+      if (std::any_of(what.begin(), what.end(), [&](const auto& w) { return include.starts_with(w); })) return way;
+      for (const char* folder : {"properties/", "lab/", "lib/", "scenes/", ""})
+        if (const std::string file = folder + include; files.count(file) && seen.insert(file).second)
+          open.emplace_back(file, way);
+    }
+  return "";
+}
+
+const std::vector<std::string> numerical{"Eigen/", "unsupported/Eigen/", "boost/"};
+
+TEST(Includes, OfFilesThatComputeNothingReachNoNumericalLibrary) {
+  const std::set<std::string> may{
+      "properties/app/report_command.cpp",         // has the kernels' modules loaded
+      "properties/app/robot_command.cpp",          // reads URDFs, as the next files read scenes
+      "properties/app/scene_explain_command.cpp",
+      "properties/app/scene_keys_command.cpp",
+      "properties/app/scene_run_command.cpp",
+      "properties/record/scene_run.cpp",
+      "properties/record/worst_cases.cpp",         // exact results of worst cases
+      "properties/campaign/error_map.cpp",         // these make and measure inputs
+      "properties/campaign/robots.cpp",
+      "properties/campaign/selection.cpp",
+      "properties/campaign/series.cpp",
+      "properties/rules/rules.cpp"};               // a digest of the inputs that laws generate
+  const Files files = sources({"lib", "scenes", "properties", "reports", "lab"});
+  std::set<std::string> reach;
+  for (const auto& [path, text] : files)
+    for (const char* folder : {"properties/app/", "properties/store/", "properties/record/", "properties/campaign/",
+                               "properties/rules/", "properties/support/", "reports/"})
+      if (path.starts_with(folder)) {
+        const std::string way = way_to(files, path, numerical);
+        if (!way.empty()) reach.insert(path);
+        EXPECT_TRUE(way.empty() || may.count(path)) << way;
+      }
+  EXPECT_EQ(reach, may);
+}
+
+TEST(Includes, OfTheCommandLineAndOfJsonAreInTheseFilesAlone) {
+  const std::vector<std::pair<std::string, std::string>> may{
+      {"CLI/", "properties/app/ lab/app/"},
+      {"nlohmann/json.hpp",
+       "reports/ properties/support/ properties/adapters/ properties/environments/ properties/tellings/ "
+       "properties/app/lab.cpp properties/app/compare_command.cpp properties/app/write_record.cpp "
+       "properties/app/report_command.cpp properties/app/environments_command.cpp "
+       "properties/app/adapter_tellings_command.cpp properties/store/export.cpp properties/store/times.cpp "
+       "properties/hard_cases/ lab/"}};
+  for (const auto& [header, where] : may)
+    for (const auto& [path, text] : sources({"lib", "scenes", "properties", "reports", "lab"}))
+      for (const std::string& include : includes_of(text))
+        if (include.starts_with(header)) {
+          bool listed = false;
+          std::istringstream places(where);
+          for (std::string place; places >> place;) listed = listed || path.starts_with(place);
+          EXPECT_TRUE(listed) << path << " includes " << include;
+        }
+}
+
+TEST(Includes, AWayToANumericalLibraryIsFound) {
+  const Files files{{"properties/app/a.cpp", "#include <string>\n#include <store/b.hpp>\n"},
+                    {"properties/store/b.hpp", "#include <vector>\n#include <Eigen/Core>\n"}};
+  EXPECT_EQ(way_to(files, "properties/app/a.cpp", numerical), "properties/app/a.cpp > store/b.hpp > Eigen/Core");
+  EXPECT_EQ(way_to(files, "properties/app/a.cpp", {"boost/"}), "");
 }
 
 TEST(TheHarness, HasOnlyFoldersAtItsRoot) {

@@ -6,6 +6,7 @@
 #include <campaign/robots.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <invariants/property.hpp>
 #include <lattice/lattice.hpp>
 #include <numbers>
 #include <set>

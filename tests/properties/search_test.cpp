@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <generators/trees.hpp>
+#include <invariants/property.hpp>
 #include <search/hunt.hpp>
 #include <search/shrink.hpp>
 #include <set>

@@ -1,6 +1,7 @@
 // What the terminal says of a failure, and in how many words.
 
 #include <gtest/gtest.h>
+#include <subjects/other_libraries.hpp>
 #include <sys/wait.h>
 
 #include <fmt/format.h>

@@ -1,0 +1,18 @@
+#pragma once
+// What a probe of conventions finds.
+
+#include <string>
+#include <vector>
+
+namespace liecheck::properties::conventions {
+
+/// An answer that differs from the right one by more of its largest number is another convention, or wrong.
+inline constexpr double probe_tolerance = 1e-3;
+
+struct Finding {
+  bool named;  ///< a convention; otherwise one operation that no known convention explains
+  std::string sentence;
+  std::vector<std::string> operations;
+};
+
+}  // namespace liecheck::properties::conventions
