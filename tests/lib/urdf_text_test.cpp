@@ -181,7 +181,7 @@ TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
 TEST(Urdf, AnErrorStaysShortAndKeepsBothEndsIfANameIsLong) {
   std::string name;
   for (int i = 0; i < 500; ++i) name += "\xc3\xa4";  // an a with two dots
-  for (const std::string& before :
+  for (const std::string before :
        {"link '", "a link '"}) {  // a character begins at an even and at an odd byte
     const std::string what = UrdfError("f", 3, before + name + "' has a negative mass", "-1").what();
     EXPECT_LE(what.size(), 420u);

@@ -35,7 +35,7 @@ TEST(CostReport, AdviceFollowsFromTheFigures) {
 }
 
 TEST(CostReport, TheSectionNamesMachineAndVariants) {
-  const std::string text = cost_section({{Json{{"cost", cost()}}}, {}});
+  const std::string text = cost_section({{Json{{"cost", cost()}}}, {}, {}});
   for (const char* part :
        {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
         "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
@@ -45,7 +45,7 @@ TEST(CostReport, TheSectionNamesMachineAndVariants) {
   EXPECT_EQ(text.find(warning), text.npos);
   Json unsteady = cost();
   unsteady["steady"] = false;
-  EXPECT_NE(cost_section({{Json{{"cost", unsteady}}}, {}}).find(warning), std::string::npos);
+  EXPECT_NE(cost_section({{Json{{"cost", unsteady}}}, {}, {}}).find(warning), std::string::npos);
   EXPECT_NE(cost_section({}).find("These records hold no times"), std::string::npos);
 }
 

@@ -182,10 +182,11 @@ TEST(Contact, ATiltedBlockFallsBackAsAPendulumAndRocksOnItsOtherEdge) {
   const auto method = scene::makeMethod<Body>(s.integrator, s.options);
   const auto outcome = scene::simulate(system, *method, state, s.span, [&](const auto& now, long n) {
     const double turned = 2 * std::atan2(now.q[4], now.q[6]);
-    if (n < 10)
+    if (n < 10) {
       EXPECT_NEAR(turned, fall[std::size_t(std::lround(double(n) * t / 10 / dt))], 3e-4) << n;
-    else if (n == 14)
+    } else if (n == 14) {
       EXPECT_LT(turned, -0.01);
+    }
     return true;
   });
   EXPECT_FALSE(outcome.diverged) << outcome.why;
