@@ -1,3 +1,5 @@
+// A library's own functions as the harness calls them: arguments are rounded to the scalar of the subject, the call is
+// checked if the thread has a log (call_log.hpp), and the result is exactly what the library returned.
 
 #include <algorithm>
 #include <cstring>
