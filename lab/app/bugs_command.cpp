@@ -108,7 +108,8 @@ Command bugs_command(CLI::App& lab) {
   a.seed(b.seed, "seed of the cases");
   a.duration("--for-each", b.seconds_each,
              "time for each bug: 30s, 5m; default 60s; each look-alike gets a tenth of it");
-  a.number("--cases", a->cases, 1, 1000000000, "cases of each law for each bug, at most; each look-alike gets a tenth");
+  a.number("--cases", a->cases, 1, 1000000000,
+           "cases of each law for each bug, at most; each look-alike gets a tenth");
   a.json(a->json, "write the table to FILE");
   a->robot.add(a);
   return a.runs(run);

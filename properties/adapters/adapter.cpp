@@ -23,4 +23,16 @@ std::string in_words(Status status, const std::string& why) {
   return why;
 }
 
+Outcome outcome_of(Status s) {
+  constexpr Outcome all[] = {Outcome::measured,
+                             Outcome::refused,
+                             Outcome::argument_written,
+                             Outcome::output_unwritten,
+                             Outcome::environment_changed,
+                             Outcome::printed,
+                             Outcome::not_repeatable,
+                             Outcome::crashed};
+  return all[static_cast<std::size_t>(s)];
+}
+
 }  // namespace liecheck::properties::adapters

@@ -11,6 +11,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <subjects/outcome.hpp>
 #include <utility>
 
 struct liecheck_adapter;  // liecheck_adapter.h
@@ -48,6 +49,8 @@ enum class Status : unsigned char {
 
 /// What a status that is not `done` says; `why` is what the call returned.
 std::string in_words(Status status, const std::string& why);
+/// The outcome of such a call.
+Outcome outcome_of(Status status);
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.
 struct Batch {
@@ -84,7 +87,8 @@ std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats = tr
 /// A function of the C interface (liecheck_adapter.h), of version 1 or 2.
 struct CFunction {
   void (*alone)(std::size_t n, const void* inputs, void* results, unsigned char* status) = nullptr;
-  void (*with)(void* context, std::size_t n, const void* inputs, void* results, unsigned char* status) = nullptr;
+  void (*with)(void* context, std::size_t n, const void* inputs, void* results,
+               unsigned char* status) = nullptr;
   void* context = nullptr;
 
   explicit operator bool() const { return alone || with; }

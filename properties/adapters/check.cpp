@@ -1,12 +1,12 @@
 #include <adapters/check.hpp>
 
-#include <conventions/probe.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <adapters/converted.hpp>
 #include <adapters/sizes.hpp>
 #include <adapters/tree_check.hpp>
 #include <algorithm>
+#include <conventions/probe.hpp>
 #include <cstring>
 
 namespace liecheck::properties::adapters {

@@ -1,8 +1,8 @@
 #include <adapters/converted.hpp>
 
-#include <conventions/probe.hpp>
 #include <fmt/format.h>
 #include <adapters/sizes.hpp>
+#include <conventions/probe.hpp>
 #include <operations/operations.hpp>
 #include <vector>
 
@@ -38,7 +38,8 @@ Converted::Converted(std::shared_ptr<Adapter> own, const conventions::Statements
     for (const OperationSizes& o : operation_sizes())
       rearranged_.push_back(conventions::rearranged(conventions::operation_named(o.operation), stated));
     // A check takes what these operations take, and has no result.
-    for (const Operation* like : {static_cast<const Operation*>(&op::normalize), static_cast<const Operation*>(&op::log3_matrix)})
+    for (const Operation* like :
+         {static_cast<const Operation*>(&op::normalize), static_cast<const Operation*>(&op::log3_matrix)})
       rearranged_.push_back({conventions::rearranged(*like, stated).arguments, {}});
   } catch (const std::invalid_argument& e) {
     throw AdapterFailed(fmt::format("of the conventions that the adapter states, {}", e.what()));
@@ -47,8 +48,7 @@ Converted::Converted(std::shared_ptr<Adapter> own, const conventions::Statements
 
 std::string Converted::call(const Batch& b) {
   if (!b.model.empty()) return own_->call(b);  // statements concern the operations on poses
-  const conventions::Rearranged& r =
-      rearranged_[static_cast<std::size_t>(&b.operation - all_sizes().data())];
+  const conventions::Rearranged& r = rearranged_[static_cast<std::size_t>(&b.operation - all_sizes().data())];
   return b.is_double ? call_in<double>(*own_, r, b) : call_in<float>(*own_, r, b);
 }
 

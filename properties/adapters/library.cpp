@@ -11,8 +11,11 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <map>
@@ -47,7 +50,8 @@ conventions::Statements stated(const std::string& text) {
   return all;
 }
 /// The names in a list, each of which must be known.
-std::set<std::string> names_in(const char* text, const std::vector<std::string>& known, const std::string& file) {
+std::set<std::string> names_in(const char* text, const std::vector<std::string>& known,
+                               const std::string& file) {
   std::set<std::string> names;
   for (const std::string& name : listed(text)) {
     if (std::ranges::find(known, name) == known.end())
@@ -70,20 +74,49 @@ std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) 
   return {module, entry};
 }
 
+/// While one exists, foreign code runs. If it calls exit() in this process, the program says so and is incomplete, instead of
+/// ending with the code of a pass.
+class Inside {
+ public:
+  Inside() { ++count(); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+  ~Inside() { --count(); }
+  static void watch() {
+    static const int registered = std::atexit([] {
+      if (count() == 0) return;
+      std::fputs("liecheck: a function of an adapter in this process ended the program by exit()\n", stderr);
+      std::_Exit(3);
+    });
+    (void)registered;
+  }
+
+ private:
+  static std::atomic<int>& count() {
+    static std::atomic<int> all{0};
+    return all;
+  }
+};
+
 class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
   /// `source` is its liecheck_get_source, or null.
   Library(const liecheck_adapter* its, Source source, const std::string& file, bool repeats)
       : repeats_here_(repeats) {
+    if (repeats) Inside::watch();
     if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
     if (its->interface_version < 1 || its->interface_version > LIECHECK_ADAPTER_VERSION)
-      throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}", file,
-                                      its->interface_version, LIECHECK_ADAPTER_VERSION));
+      throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}",
+                                      file, its->interface_version, LIECHECK_ADAPTER_VERSION));
     std::memcpy(&adapter_, its,
                 its->interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof(liecheck_adapter));
-    if (!adapter_.name || !adapter_.version || !(adapter_.find || adapter_.find_call || adapter_.find_model_call))
-      throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
+    if (!adapter_.name || !adapter_.version ||
+        !(adapter_.find || adapter_.find_call || adapter_.find_model_call))
+      throw AdapterFailed(
+          fmt::format("liecheck_get_adapter() of {} has no name, version or function that finds functions: "
+                      "find, find_call or find_model_call",
+                      file));
     description_.name = adapter_.name, description_.version = adapter_.version;
     if (adapter_.conventions) description_.conventions = stated(adapter_.conventions);
     const auto offer = [&](std::string_view operation, bool is_double, const CFunction& f) {
@@ -94,11 +127,17 @@ class Library final : public Adapter {
       const std::string name(o.operation);
       auto& of = functions_.emplace_back();
       repeats_.emplace_back();
-      for (const bool is_double : {false, true}) of[is_double] = offer(name, is_double, found(adapter_, name, is_double));
-      if (const char* const text = source ? source(name.c_str()) : nullptr) description_.source.emplace(name, text);
+      for (const bool is_double : {false, true})
+        of[is_double] = offer(name, is_double, found(adapter_, name, is_double));
+      if (const char* const text = source ? source(name.c_str()) : nullptr)
+        description_.source.emplace(name, text);
     }
-    if (!adapter_.find_model_call || !adapter_.open_model) return;
+    if (!adapter_.find_model_call && !adapter_.open_model && !adapter_.models) return;
+    if (!adapter_.find_model_call || !adapter_.open_model)
+      throw AdapterFailed(fmt::format("{} has no {}, without which it takes no model", file,
+                                      adapter_.open_model ? "find_model_call" : "open_model"));
     description_.models = names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf"}, file);
+    if (description_.models.empty()) throw AdapterFailed(fmt::format("{} has an empty list of models", file));
     if (adapter_.joints) description_.joints = names_in(adapter_.joints, joint_names(), file);
     for (const Operation* o : model_operations())
       for (const bool is_double : {false, true}) {
@@ -169,7 +208,10 @@ class Library final : public Adapter {
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
     ~Handle() {
-      if (adapter.close_model) adapter.close_model(adapter.context, handle);
+      try {
+        if (adapter.close_model) adapter.close_model(adapter.context, handle);
+      } catch (...) {  // of foreign code, which concerns no result
+      }
     }
   };
 
@@ -180,16 +222,22 @@ class Library final : public Adapter {
   /// The model of the text, or null if the library refuses it for the reason `why`.
   std::shared_ptr<Handle> handle_of(std::string_view text, std::string& why) try {
     const std::lock_guard lock(models_mutex_);
-    const auto known = std::ranges::find(models_, text, &std::pair<std::string, std::shared_ptr<Handle>>::first);
+    const auto known =
+        std::ranges::find(models_, text, &std::pair<std::string, std::shared_ptr<Handle>>::first);
     if (known != models_.end()) return known->second;
     const FloatEnvironment environment;
     const FlatModel model(text);
+    const Inside inside;
     void* const handle = adapter_.open_model(adapter_.context, &model.model());
-    if (!handle) return why = "the model is refused: " + (reason().empty() ? "the adapter gave no reason" : reason()), nullptr;
+    if (!handle)
+      return why = "the model is refused: " + (reason().empty() ? "the adapter gave no reason" : reason()),
+             nullptr;
     if (models_.size() == most_models) models_.pop_front();
     return models_.emplace_back(text, std::make_shared<Handle>(adapter_, handle)).second;
   } catch (const std::exception& e) {
     return why = fmt::format("the model is refused: {}", e.what()), nullptr;
+  } catch (...) {
+    return why = "the model is refused: open_model threw an exception", nullptr;
   }
 
   /// Calls the function, and again if a number of its results may be unwritten. Sets the status of each input.
@@ -217,6 +265,7 @@ class Library final : public Adapter {
   }
   static std::string called(const Batch& b, const CFunction& function) try {
     std::ranges::fill(b.status, Status::done);
+    const Inside inside;
     function(b.n, b.inputs.data(), b.results.data(), reinterpret_cast<unsigned char*>(b.status.data()));
     for (const Status s : b.status)
       if (s > Status::refused)

@@ -29,34 +29,35 @@ enum liecheck_status {
 typedef void (*liecheck_function)(size_t n, const void* inputs, void* results, unsigned char* status);
 
 /* The same, with what it belongs to: the context of the adapter, or a handle of open_model. */
-typedef void (*liecheck_call)(void* context, size_t n, const void* inputs, void* results, unsigned char* status);
+typedef void (*liecheck_call)(void* context, size_t n, const void* inputs, void* results,
+                              unsigned char* status);
 
 /* A tree of bodies or a robot. docs/tree_adapters.md defines each member. */
 struct liecheck_joint {
-  const char* kind;             /* "revolute", "continuous", ... */
-  int parent;                   /* an earlier joint, or -1 for the world */
-  double Q[4], p[3];            /* the pose in the parent's frame where q is neutral */
-  double axis[3];               /* of a kind that has one */
-  double pitch;                 /* of a helical joint [m/rad] */
-  double armature;              /* of each velocity [kg, kg m^2] */
-  int mimic;                    /* the joint that it mimics, or -1 */
-  double multiplier, offset;    /* of a mimic */
+  const char* kind;          /* "revolute", "continuous", ... */
+  int parent;                /* an earlier joint, or -1 for the world */
+  double Q[4], p[3];         /* the pose in the parent's frame where q is neutral */
+  double axis[3];            /* of a kind that has one */
+  double pitch;              /* of a helical joint [m/rad] */
+  double armature;           /* of each velocity [kg, kg m^2] */
+  int mimic;                 /* the joint that it mimics, or -1 */
+  double multiplier, offset; /* of a mimic */
 };
 struct liecheck_body {
-  int joint;                    /* that carries it */
-  double Q[4], p[3];            /* its pose in the joint's frame */
-  double mass, c[3], I_C[9];    /* in its own frame */
+  int joint;                 /* that carries it */
+  double Q[4], p[3];         /* its pose in the joint's frame */
+  double mass, c[3], I_C[9]; /* in its own frame */
 };
 struct liecheck_model {
-  double gravity[3];            /* in world axes [m/s^2] */
+  double gravity[3]; /* in world axes [m/s^2] */
   size_t nq, nv;
   size_t joint_count, body_count;
   const struct liecheck_joint* joints;
   const struct liecheck_body* bodies;
-  const char* urdf;             /* instead of joints and bodies: the text of a URDF; otherwise NULL */
-  int fixed;                    /* of a URDF: 1 if its root is fixed to the world, 0 if a free-flyer carries it */
+  const char* urdf; /* instead of joints and bodies: the text of a URDF; otherwise NULL */
+  int fixed;        /* of a URDF: 1 if its root is fixed to the world, 0 if a free-flyer carries it */
   size_t order_count;
-  const char* const* order;     /* of a URDF: the names of the joints that move, in the order of q and v */
+  const char* const* order; /* of a URDF: the names of the joints that move, in the order of q and v */
 };
 
 struct liecheck_adapter {

@@ -27,6 +27,10 @@
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
 
+#if __cplusplus < 202002L
+#error "liecheck_adapter.hpp needs C++20: compile with -std=c++20"
+#endif
+
 #include <liecheck_adapter.h>
 
 #include <algorithm>
@@ -108,7 +112,9 @@ liecheck_call check_in(std::string_view name) {
     subject.check_quaternion(Q);
   }
   { subject.check_quaternion(Q); };
-  constexpr auto rotation = [](auto& subject, auto R, auto) requires requires { subject.check_rotation(R); }
+  constexpr auto rotation = [](auto& subject, auto R, auto) requires requires {
+    subject.check_rotation(R);
+  }
   { subject.check_rotation(R); };
   if (name == "check_quaternion") return function_in<decltype(quaternion), Subject, S, 4, 0>();
   if (name == "check_rotation") return function_in<decltype(rotation), Subject, S, 9, 0>();
@@ -146,12 +152,14 @@ liecheck_call model_function_in() {
 }
 template <class Model, class S>
 liecheck_call find_model_function(std::string_view operation) {
-#define LIECHECK_MODEL_OPERATION(name, q_in, v_in, one_in, q_out, v_out, vv_out, one_out)                      \
-  if (operation == #name) {                                                                                    \
-    constexpr auto call = [](auto& model, auto in, auto out) requires requires { model.name(in, out); }        \
-    { model.name(in, out); };                                                                                  \
-    return model_function_in<decltype(call), Model, S, ModelSize{q_in, v_in, 0, one_in},                       \
-                             ModelSize{q_out, v_out, vv_out, one_out}>();                                      \
+#define LIECHECK_MODEL_OPERATION(name, q_in, v_in, one_in, q_out, v_out, vv_out, one_out) \
+  if (operation == #name) {                                                               \
+    constexpr auto call = [](auto& model, auto in, auto out) requires requires {          \
+      model.name(in, out);                                                                \
+    }                                                                                     \
+    { model.name(in, out); };                                                             \
+    return model_function_in<decltype(call), Model, S, ModelSize{q_in, v_in, 0, one_in},  \
+                             ModelSize{q_out, v_out, vv_out, one_out}>();                 \
   }
 #include <liecheck_model_operations.inc>
 #undef LIECHECK_MODEL_OPERATION
@@ -171,8 +179,10 @@ void add_models(liecheck_adapter& adapter) {
         return new Opened<Model>{Model(*model), model->nq, model->nv};
       } catch (const std::exception& e) {
         last_reason() = e.what();
-        return nullptr;
+      } catch (...) {
+        last_reason() = "an exception that is no std::exception";
       }
+      return nullptr;
     };
     adapter.close_model = [](void*, void* handle) { delete static_cast<Opened<Model>*>(handle); };
     adapter.find_model_call = [](void*, const char* operation, const char* scalar) {
@@ -237,7 +247,8 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
     { subject.name(in, out); };                                                                            \
     using F = decltype(call);                                                                              \
     static_assert(liecheck::adapter::offered<F, Subject, sizes.inputs, sizes.results>, #name               \
-                  " must be void " #name "(std::span<const S, I> arguments, std::span<S, R> result), "     \
+                  " must be void " #name                                                                   \
+                  "(std::span<const S, I> arguments, std::span<S, R> result), "                            \
                   "S float or double, all arguments in one span; I and R are in liecheck_operations.inc"); \
     return is_float ? liecheck::adapter::function_in<F, Subject, float, sizes.inputs, sizes.results>()     \
                     : liecheck::adapter::function_in<F, Subject, double, sizes.inputs, sizes.results>();   \

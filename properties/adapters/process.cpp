@@ -205,7 +205,8 @@ class LibraryProcess final : public Process {
     std::string why;
     Exchange& e = *memory_;
     if (!b.model.empty() && b.model != model_) {
-      if (b.model.size() > e.bytes.size()) Child::fail("is served in memory that has no room for so large a model");
+      if (b.model.size() > e.bytes.size())
+        Child::fail("is served in memory that has no room for so large a model");
       std::memcpy(e.bytes.data(), b.model.data(), b.model.size());
       e.operation = is_a_model, e.n = static_cast<std::uint32_t>(b.model.size());
       ask(child);
@@ -218,7 +219,8 @@ class LibraryProcess final : public Process {
       std::byte* const bytes = e.bytes.data();
       std::memcpy(bytes, b.inputs.data() + done * part.inputs / part.n, now.inputs);
       e.operation = place_of(b), e.is_double = b.is_double, e.n = static_cast<std::uint32_t>(now.n);
-      e.inputs = static_cast<std::uint32_t>(b.operation.inputs), e.results = static_cast<std::uint32_t>(b.operation.results);
+      e.inputs = static_cast<std::uint32_t>(b.operation.inputs),
+      e.results = static_cast<std::uint32_t>(b.operation.results);
       ask(child);
       std::memcpy(b.results.data() + done * part.results / part.n, bytes + now.inputs, now.results);
       std::memcpy(b.status.data() + done, bytes + now.inputs + now.results, now.n);
@@ -229,7 +231,8 @@ class LibraryProcess final : public Process {
   static std::uint32_t place_of(const Batch& b) {
     if (b.model.empty()) return static_cast<std::uint32_t>(&b.operation - all_sizes().data());
     const auto at = std::ranges::find(model_operations(), b.operation.operation, &Operation::name);
-    return static_cast<std::uint32_t>(all_sizes().size() + static_cast<std::size_t>(at - model_operations().begin()));
+    return static_cast<std::uint32_t>(all_sizes().size() +
+                                      static_cast<std::size_t>(at - model_operations().begin()));
   }
   /// Waits for the answer to what is in the memory.
   void ask(Child& child) {

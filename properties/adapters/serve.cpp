@@ -74,18 +74,25 @@ std::string text_of(const Description& d) {
 
 /// `model` is the one that calls are about.
 void answer(Adapter& adapter, Exchange& e, const Output& output, std::string& model) {
-  if (e.operation == is_a_model) return void(model.assign(reinterpret_cast<const char*>(e.bytes.data()), e.n));
+  if (e.operation == is_a_model)
+    return void(model.assign(reinterpret_cast<const char*>(e.bytes.data()), e.n));
   const std::size_t plain = all_sizes().size();
   const bool of_model = e.operation >= plain;
-  const OperationSizes own = of_model ? OperationSizes{model_operations().at(e.operation - plain)->name, e.inputs, e.results}
-                                      : OperationSizes{};
+  const OperationSizes own =
+      of_model ? OperationSizes{model_operations().at(e.operation - plain)->name, e.inputs, e.results}
+               : OperationSizes{};
   const OperationSizes& o = of_model ? own : all_sizes()[e.operation];
   const bool is_double = e.is_double != 0;
   const Parts part(o, is_double, e.n);
   const std::span all(e.bytes);
   const std::span status(reinterpret_cast<Status*>(&all[part.inputs + part.results]), part.n);
-  const Batch batch{o,     is_double, part.n, all.first(part.inputs), all.subspan(part.inputs, part.results),
-                    status, of_model ? std::string_view(model) : std::string_view()};
+  const Batch batch{o,
+                    is_double,
+                    part.n,
+                    all.first(part.inputs),
+                    all.subspan(part.inputs, part.results),
+                    status,
+                    of_model ? std::string_view(model) : std::string_view()};
   std::string why = adapter.call(batch);
   if (output.printed()) {
     std::ranges::fill(status, Status::printed);

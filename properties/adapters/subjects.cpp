@@ -57,20 +57,6 @@ bool in_process(int number) {
   return sources[static_cast<std::size_t>(number)]->in_process != nullptr;
 }
 
-
-/// The outcome of a call whose status is not `done`.
-constexpr Outcome outcome_of(Status s) {
-  constexpr Outcome all[] = {Outcome::measured,
-                             Outcome::refused,
-                             Outcome::argument_written,
-                             Outcome::output_unwritten,
-                             Outcome::environment_changed,
-                             Outcome::printed,
-                             Outcome::not_repeatable,
-                             Outcome::crashed};
-  return all[static_cast<std::size_t>(s)];
-}
-
 /// Calls an operation of the adapter of this thread with consecutive numbers, floats or doubles. Throws CallFailed.
 void call_numbers(int number, const OperationSizes& sizes, bool is_double, std::span<const std::byte> inputs,
                   std::span<std::byte> results) {
@@ -142,7 +128,8 @@ void register_one(int wanted, const std::string& text, const Description& d,
                   std::integer_sequence<int, numbers...>) {
   TypedSubject<S> s{d.name, d.version, {}, text};
   ((wanted == numbers ? fill_operations<numbers, S>(s.operations, d) : void()), ...);
-  const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == std::string(oracles::scalar_of<S>.name); });
+  const bool any = std::ranges::any_of(
+      d.offered, [](auto& o) { return o.second == std::string(oracles::scalar_of<S>.name); });
   if (any) Registered<S>(std::move(s));
 }
 

@@ -132,7 +132,6 @@ void fill_all(Slots<S, all...>& slots, const std::shared_ptr<const Model<S>>& mo
   ((offered(all) ? fill(slots[all], all, model) : void()), ...);
 }
 
-
 }  // namespace
 
 const std::vector<std::string>& joint_names() {
@@ -209,7 +208,8 @@ std::vector<S> Model<S>::call(const Operation& o, std::vector<S> arguments) cons
   } catch (const AdapterFailed& e) {
     throw CallFailed(e.what(), o.name, Outcome::crashed);
   }
-  if (status != Status::done) throw std::domain_error(in_words(status, why));
+  if (status == Status::refused) throw std::domain_error(in_words(status, why));
+  if (status != Status::done) throw CallFailed(in_words(status, why), o.name, outcome_of(status));
   return results;
 }
 

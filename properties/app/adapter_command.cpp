@@ -59,8 +59,8 @@ Command adapter_check_command(CLI::App& adapter) {
 }
 
 Command adapter_serve_command(CLI::App& adapter) {
-  CommandWith<AdapterCheckFlags> a(adapter, "serve",
-                       "call the functions of a shared library for the program that started this process");
+  CommandWith<AdapterCheckFlags> a(
+      adapter, "serve", "call the functions of a shared library for the program that started this process");
   a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/adapters.md").required();
   a.text("--memory", a->memory, "FILE", "memory of that program, in which it writes the calls").required();
   return a.runs(serve);

@@ -55,10 +55,11 @@ int tell(const AdapterTellingsFlags& f) {
 }  // namespace
 
 Command adapter_tellings_command(CLI::App& adapter) {
-  CommandWith<AdapterTellingsFlags> a(adapter, "tellings",
-                       "tell a robot in six equivalent ways, and compare what a URDF reader makes of each "
-                       "with its exact motion. "
-                       "Exit code 0; 1 if a telling differs; 2 for bad input");
+  CommandWith<AdapterTellingsFlags> a(
+      adapter, "tellings",
+      "tell a robot in six equivalent ways, and compare what a URDF reader makes of each "
+      "with its exact motion. "
+      "Exit code 0; 1 if a telling differs; 2 for bad input");
   a.text("--adapter", a->adapter, "ADAPTER", "the reader, as a campaign takes it; default: liecheck's own");
   a->robot.add(a, "the robot; default: the built-in mixed_joints");
   a.text("--out", a->out, "DIR", "write the tellings, a URDF each");

@@ -212,7 +212,8 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
-std::vector<HardRow> replay_hard_cases(const CampaignFlags& f, const Selection& selection, const Robot& robot) {
+std::vector<HardRow> replay_hard_cases(const CampaignFlags& f, const Selection& selection,
+                                       const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
@@ -260,11 +261,12 @@ int run(const CampaignFlags& f) {
 }  // namespace
 
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
-  CommandWith<CampaignFlags> a(program, "campaign",
-                       "test libraries by the laws, with inputs that follow from a seed. Exit code 0 if "
-                       "every error is within its "
-                       "limit; 1 if one is not; 2 for bad input; 3 if incomplete: interrupted, or a law "
-                       "measured less than it must");
+  CommandWith<CampaignFlags> a(
+      program, "campaign",
+      "test libraries by the laws, with inputs that follow from a seed. Exit code 0 if "
+      "every error is within its "
+      "limit; 1 if one is not; 2 for bad input; 3 if incomplete: interrupted, or a law "
+      "measured less than it must");
   a->store.typed_line = typed_line;
   a->selection.add(a);
   a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");

@@ -65,9 +65,7 @@ void SelectionFlags::add(Arguments& a) {
   adapters.add(a);
   a.list("--property", properties, "NAME",
          "a law, as 'liecheck list' names it, repeatable; default every one");
-  a.list("--scalar", scalars, "SCALAR",
-         "float or double, repeatable; default every one that the subject has, of liecheck the "
-         "first two");
+  a.list("--scalar", scalars, "SCALAR", "float or double, repeatable; default both");
   limits.add(a);
   a.json(json, "write the record to FILE");
 }

@@ -177,8 +177,8 @@ CostResult run_cost(CostOptions options) {
 
 Command cost_command(CLI::App& program) {
   CommandWith<CostFlags> a(program, "cost",
-                       "measure time and error of each operation. Every subject gets the same inputs. "
-                       "Exit code 0; 2 for bad input; 3 if stopped");
+                           "measure time and error of each operation. Every subject gets the same inputs. "
+                           "Exit code 0; 2 for bad input; 3 if stopped");
   CostOptions& o = a->options;
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
   const Flag subject = a.list(

@@ -27,9 +27,10 @@ int run(const ExportFlags& f) {
 }  // namespace
 
 Command export_command(CLI::App& program) {
-  CommandWith<ExportFlags> a(program, "export",
-                       "print a store as text. It depends on the results alone, not on stops and merges. "
-                       "Exit code 0; 2 for bad input");
+  CommandWith<ExportFlags> a(
+      program, "export",
+      "print a store as text. It depends on the results alone, not on stops and merges. "
+      "Exit code 0; 2 for bad input");
   a.text("STORE", a->store, "", "a store, or STORE@N for its Nth campaign").required();
   a.text("--out", a->out, "FILE", "write to FILE instead of the standard output");
   return a.runs(run);

@@ -237,10 +237,11 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full) {
 }
 
 Command hard_cases_command(CLI::App& program) {
-  CommandWith<HardCasesFlags> a(program, "hard-cases",
-                       "run every hard case, and print a verdict on each. Exit code 0 if none failed; 1 if "
-                       "any did; 2 for bad input; 3 if "
-                       "stopped, or if a case has no verdict");
+  CommandWith<HardCasesFlags> a(
+      program, "hard-cases",
+      "run every hard case, and print a verdict on each. Exit code 0 if none failed; 1 if "
+      "any did; 2 for bad input; 3 if "
+      "stopped, or if a case has no verdict");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   a.text("--share", a->share, "DIR",

@@ -82,9 +82,10 @@ int run(const ListFlags& f) {
 }  // namespace
 
 Command list_command(CLI::App& program) {
-  CommandWith<ListFlags> a(program, "list",
-                       "list the subjects, operations and laws. Also the subjects that are absent, and the "
-                       "blocks of each operation. Exit code 0");
+  CommandWith<ListFlags> a(
+      program, "list",
+      "list the subjects, operations and laws. Also the subjects that are absent, and the "
+      "blocks of each operation. Exit code 0");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
   const Flag laws = a.toggle("--laws", a->laws, "list only the names of the laws, one a line");

@@ -95,10 +95,11 @@ int run(const ReplayFlags& f) {
 }  // namespace
 
 Command replay_command(CLI::App& program) {
-  CommandWith<ReplayFlags> a(program, "replay",
-                       "run one case again and print its errors, bit for bit. Exit code 0 if they are within "
-                       "their limits; 1 if "
-                       "not; 2 for bad input; 3 if an output has no verdict");
+  CommandWith<ReplayFlags> a(
+      program, "replay",
+      "run one case again and print its errors, bit for bit. Exit code 0 if they are within "
+      "their limits; 1 if "
+      "not; 2 for bad input; 3 if an output has no verdict");
   a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
   a->robot.add(a, "the robot that the ID names");
   a->adapters.add(a);

@@ -40,8 +40,8 @@ int run(const RobotChecksFlags& f) {
 }  // namespace
 
 Command robot_command(CLI::App& program) {
-  CommandWith<RobotChecksFlags> a(program, "robot",
-                       "show the model of a URDF: joints, indices, warnings. Exit code 0; 2 for bad input");
+  CommandWith<RobotChecksFlags> a(
+      program, "robot", "show the model of a URDF: joints, indices, warnings. Exit code 0; 2 for bad input");
   a.text("FILE", a->file, "URDF", "the URDF").required();
   a.choice("--root", a->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
            "the joint between root and world");

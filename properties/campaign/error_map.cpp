@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <generators/random_bits.hpp>
-#include <numbers>
 #include <invariants/property.hpp>
+#include <numbers>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 

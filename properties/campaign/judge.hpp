@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <campaign/tally.hpp>
-#include <limits>
 #include <generators/angle_bands.hpp>
+#include <limits>
 #include <oracles/undecided.hpp>
 #include <vector>
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <invariants/property.hpp>
 #include <set>
 #include <stdexcept>
-#include <invariants/property.hpp>
 #include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {

@@ -1,7 +1,7 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
 #include <campaign/series.hpp>
-#include <invariants/property.hpp>
 #include <campaign/window.hpp>
+#include <invariants/property.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -104,9 +104,8 @@ std::uint64_t next_series_number() {
 
 Series::~Series() = default;
 
-Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested,
-                            const Robot& robot_used, std::shared_ptr<const SubjectLimits> limits,
-                            Profile judging)
+Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, const Robot& robot_used,
+               std::shared_ptr<const SubjectLimits> limits, Profile judging)
     : law_(std::move(law_tested)), subject_(tested), format_(*tested.scalar), number_(next_series_number()) {
   const Statement& stated = law_->statement();
   property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
@@ -139,7 +138,7 @@ void Series::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {
 }
 
 std::uint64_t Series::run(std::uint64_t seed, Range cases, Tally& tally,
-                                  const std::atomic<bool>& stop) const {
+                          const std::atomic<bool>& stop) const {
   auto& [next, last] = cases;
   if (together_) {
     Window window;
@@ -148,7 +147,8 @@ std::uint64_t Series::run(std::uint64_t seed, Range cases, Tally& tally,
       for (std::uint64_t n = window.next(last - next); n > 0; --n) all.push_back(generated(seed, next++));
       std::vector<CallLog*> own(all.size());
       run_together(
-          all.size(), [&](std::size_t k) { measure(all[k]); }, [&](std::size_t k) { std::swap(CallLog::current(), own[k]); });
+          all.size(), [&](std::size_t k) { measure(all[k]); },
+          [&](std::size_t k) { std::swap(CallLog::current(), own[k]); });
       for (const Case& c : all) add(c, seed, tally);
     }
   }
@@ -375,7 +375,7 @@ bool Series::measure_by_balls(const std::vector<double>& x, Judge& judge) const 
 }
 
 std::vector<Judged> Series::measure_by_digits(const std::vector<double>& x, const Limits& limits,
-                                                      bool all_kappas, std::string* refusal) const {
+                                              bool all_kappas, std::string* refusal) const {
   Judge judge(limits, format(), 0, all_kappas);
   const Scope scope = scope_of(x);
   try {
@@ -414,6 +414,5 @@ void Series::Checking::judge(std::vector<Judged>& judged) const {
         fail_as(f.outcome, j);
   }
 }
-
 
 }  // namespace liecheck::properties

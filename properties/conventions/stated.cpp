@@ -1,8 +1,8 @@
 #include <conventions/stated.hpp>
 
-#include <conventions/values.hpp>
 #include <fmt/format.h>
 #include <conventions/table.hpp>
+#include <conventions/values.hpp>
 #include <numeric>
 #include <stdexcept>
 

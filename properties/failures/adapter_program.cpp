@@ -1,10 +1,10 @@
-#include <conventions/values.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <adapters/adapter.hpp>
 #include <adapters/subjects.hpp>
 #include <campaign/series.hpp>
 #include <conventions/stated.hpp>
+#include <conventions/values.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <span>

@@ -13,8 +13,8 @@
 
 namespace liecheck::properties {
 
-class Property;   // property.hpp
-struct Subject;   // subjects/subject.hpp
+class Property;  // property.hpp
+struct Subject;  // subjects/subject.hpp
 using oracles::Scalar;
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.

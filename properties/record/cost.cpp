@@ -1,8 +1,8 @@
 #include <record/record.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
-#include <timing/cost.hpp>
 #include <timing/bands.hpp>
+#include <timing/cost.hpp>
 
 namespace liecheck::properties {
 

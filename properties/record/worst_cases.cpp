@@ -1,9 +1,9 @@
 // What a record adds for the page: the numbers of worst cases, and the maps of the error.
 
-#include <failures/calls.hpp>
 #include <fmt/format.h>
 #include <campaign/error_map.hpp>
 #include <cstdlib>
+#include <failures/calls.hpp>
 #include <failures/result.hpp>
 #include <record/record.hpp>
 #include <support/json_number.hpp>

@@ -261,7 +261,8 @@ std::string way_to(const Files& files, const std::string& path, const std::vecto
   for (std::size_t i = 0; i < open.size(); ++i)
     for (const std::string& include : includes_of(files.at(open[i].first))) {
       const std::string way = open[i].second + " > " + include;
-      if (std::any_of(what.begin(), what.end(), [&](const auto& w) { return include.starts_with(w); })) return way;
+      if (std::any_of(what.begin(), what.end(), [&](const auto& w) { return include.starts_with(w); }))
+        return way;
       for (const char* folder : {"properties/", "lab/", "lib/", "scenes/", ""})
         if (const std::string file = folder + include; files.count(file) && seen.insert(file).second)
           open.emplace_back(file, way);
@@ -273,23 +274,24 @@ const std::vector<std::string> numerical{"Eigen/", "unsupported/Eigen/", "boost/
 
 TEST(Includes, OfFilesThatComputeNothingReachNoNumericalLibrary) {
   const std::set<std::string> may{
-      "properties/app/report_command.cpp",         // has the kernels' modules loaded
-      "properties/app/robot_command.cpp",          // reads URDFs, as the next files read scenes
+      "properties/app/report_command.cpp",  // has the kernels' modules loaded
+      "properties/app/robot_command.cpp",   // reads URDFs, as the next files read scenes
       "properties/app/scene_explain_command.cpp",
       "properties/app/scene_keys_command.cpp",
       "properties/app/scene_run_command.cpp",
       "properties/record/scene_run.cpp",
-      "properties/record/worst_cases.cpp",         // exact results of worst cases
-      "properties/campaign/error_map.cpp",         // these make and measure inputs
+      "properties/record/worst_cases.cpp",  // exact results of worst cases
+      "properties/campaign/error_map.cpp",  // these make and measure inputs
       "properties/campaign/robots.cpp",
       "properties/campaign/selection.cpp",
       "properties/campaign/series.cpp",
-      "properties/rules/rules.cpp"};               // a digest of the inputs that laws generate
+      "properties/rules/rules.cpp"};  // a digest of the inputs that laws generate
   const Files files = sources({"lib", "scenes", "properties", "reports", "lab"});
   std::set<std::string> reach;
   for (const auto& [path, text] : files)
-    for (const char* folder : {"properties/app/", "properties/store/", "properties/record/", "properties/campaign/",
-                               "properties/rules/", "properties/support/", "reports/"})
+    for (const char* folder :
+         {"properties/app/", "properties/store/", "properties/record/", "properties/campaign/",
+          "properties/rules/", "properties/support/", "reports/"})
       if (path.starts_with(folder)) {
         const std::string way = way_to(files, path, numerical);
         if (!way.empty()) reach.insert(path);
@@ -321,7 +323,8 @@ TEST(Includes, OfTheCommandLineAndOfJsonAreInTheseFilesAlone) {
 TEST(Includes, AWayToANumericalLibraryIsFound) {
   const Files files{{"properties/app/a.cpp", "#include <string>\n#include <store/b.hpp>\n"},
                     {"properties/store/b.hpp", "#include <vector>\n#include <Eigen/Core>\n"}};
-  EXPECT_EQ(way_to(files, "properties/app/a.cpp", numerical), "properties/app/a.cpp > store/b.hpp > Eigen/Core");
+  EXPECT_EQ(way_to(files, "properties/app/a.cpp", numerical),
+            "properties/app/a.cpp > store/b.hpp > Eigen/Core");
   EXPECT_EQ(way_to(files, "properties/app/a.cpp", {"boost/"}), "");
 }
 

@@ -74,7 +74,8 @@ class BadCitizen : public testing::TestWithParam<BadWay> {
 
 TEST_P(BadCitizen, IsAnOutcomeOfItsInputAndTheCampaignIsComplete) {
   const BadWay& way = GetParam();
-  if (way.cases == 0) GTEST_SKIP() << "waits for a minute; the preset nightly runs it, and a shared library's loop runs here";
+  if (way.cases == 0)
+    GTEST_SKIP() << "waits for a minute; the preset nightly runs it, and a shared library's loop runs here";
   const bool passes = !*way.outcome;
   ASSERT_EQ(campaign(LIECHECK_BAD_CITIZENS, "refuse"), 1);
   const std::uint64_t bad_inputs = sum("refused");
@@ -113,9 +114,10 @@ INSTANTIATE_TEST_SUITE_P(
     InPython, BadCitizen,
     testing::Values(
         in_python("none", "", ""), in_python("segfault", "crashed", "signal 11"),
-        in_python("abort", "crashed", "signal 6"), in_python("loop", "crashed", "in 5 s where", sample(0, 12)),
-        in_python("slow", "", "", 40), in_python("exit", "crashed", "ended with exit code 0"),
-        in_python("memory", "crashed", "MemoryError"), in_python("throw", "crashed", "not a rotation"),
+        in_python("abort", "crashed", "signal 6"),
+        in_python("loop", "crashed", "in 5 s where", sample(0, 12)), in_python("slow", "", "", 40),
+        in_python("exit", "crashed", "ended with exit code 0"), in_python("memory", "crashed", "MemoryError"),
+        in_python("throw", "crashed", "not a rotation"),
         in_python("print", "crashed", "does it print to standard output?"),
         in_python("half", "crashed", "and then nothing for", sample(5, 12)),
         in_python("count", "crashed", "bytes more than"), in_python("status", "crashed", "the status 77"),
@@ -145,6 +147,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadWay{"threads", "not_repeatable", "when two threads call at the same time", 3000}),
     [](const auto& info) { return std::string(info.param.name); });
 
+TEST(BadCitizens, ThatEndTheProgramDoNotPass) {
+  FILE* const out = popen(
+      "LIECHECK_BAD=exit " LIECHECK_PROGRAM
+      " campaign --no-hard-cases --property exp_oracle --adapter in-process:" LIECHECK_BAD_CITIZENS " 2>&1",
+      "r");
+  std::string text;
+  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
+  EXPECT_EQ(WEXITSTATUS(pclose(out)), 3) << text;
+  EXPECT_NE(text.find("ended the program by exit()"), text.npos) << text;
+}
+
 TEST(BadCitizens, OfAnotherVersionOfTheInterfaceAreRefusedWithBothVersions) {
   for (const char* way : {"", "in-process:"}) {
     FILE* const out =
@@ -155,7 +168,8 @@ TEST(BadCitizens, OfAnotherVersionOfTheInterfaceAreRefusedWithBothVersions) {
     std::string text;
     for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
     EXPECT_EQ(WEXITSTATUS(pclose(out)), 2);
-    EXPECT_NE(text.find("has version 7 of the interface, and this program versions 1 to 2"), text.npos) << text;
+    EXPECT_NE(text.find("has version 7 of the interface, and this program versions 1 to 2"), text.npos)
+        << text;
   }
 }
 

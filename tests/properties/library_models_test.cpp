@@ -8,9 +8,9 @@
 #include <adapters/liecheck_adapter.hpp>
 #include <adapters/subjects.hpp>
 #include <adapters/trees.hpp>
+#include <array>
 #include <campaign/campaign.hpp>
 #include <campaign/robots.hpp>
-#include <array>
 #include <cstdlib>
 #include <set>
 #include <span>
@@ -57,7 +57,8 @@ TEST(LibraryModels, ASimulatorInAProcessOfItsOwnGivesTheSame) {
     return WEXITSTATUS(std::system((LIECHECK_PROGRAM " " + arguments + " > /dev/null 2>&1").c_str()));
   };
   EXPECT_EQ(exit_code("adapter check " LIECHECK_HINGES), 0);
-  EXPECT_EQ(exit_code("campaign --no-hard-cases --cases 30 --property lagrange --adapter " LIECHECK_HINGES), 0);
+  EXPECT_EQ(exit_code("campaign --no-hard-cases --cases 30 --property lagrange --adapter " LIECHECK_HINGES),
+            0);
 }
 
 TEST(LibraryModels, TheListOfOperationsOnModelsHasTheirSizes) {
@@ -138,6 +139,17 @@ struct Refusing {
 };
 LIECHECK_SUBJECT(Refusing)
 
+struct Odd {
+  static constexpr const char *name = "odd", *version = "1", *models = "urdf";
+  struct Model {
+    explicit Model(const liecheck_model& model) {
+      if (model.fixed) throw 42;
+    }
+    void tree_crba(std::span<const double>, std::span<double> M) { M[0] = 1; }
+  };
+};
+LIECHECK_SUBJECT(Odd)
+
 /// An object with a state: exp3_quaternion is right if factor is 1.
 struct Scaled {
   const char *name = "scaled", *version = "1";
@@ -167,6 +179,31 @@ TEST(LibraryModels, ARefusedModelIsSaidInWords) {
   }
 }
 
+TEST(LibraryModels, AnotherExceptionIsARefusalAndAnUnwrittenResultIsNone) {
+  const auto adapter = linked(liecheck_subject(static_cast<const Odd*>(nullptr)));
+  const auto call = [&](const UrdfModel& robot, std::vector<double> q) {
+    Model<double>(robot, [&]() -> Adapter& { return *adapter; }).call(op::tree_crba, std::move(q));
+  };
+  EXPECT_THROW(call(pendulum(true), {0.1}), std::domain_error);
+  try {
+    call(pendulum(false), {0, 0, 0, 0, 0, 0, 1, 0.1});
+    FAIL() << "its result counts";
+  } catch (const CallFailed& e) {
+    EXPECT_EQ(e.outcome, Outcome::output_unwritten);
+  }
+}
+
+TEST(LibraryModels, OfWhatCannotOpenThemAreSaidInWords) {
+  liecheck_adapter without = liecheck_subject(static_cast<const Odd*>(nullptr));
+  without.open_model = nullptr;
+  try {
+    linked(without);
+    FAIL() << "it is taken";
+  } catch (const AdapterFailed& e) {
+    EXPECT_EQ(e.what(), std::string("the linked adapter has no open_model, without which it takes no model"));
+  }
+}
+
 TEST(LibraryModels, AnObjectHasItsOwnStateAndChecks) {
   Scaled one, two;
   two.factor = 2;
@@ -183,7 +220,8 @@ TEST(LibraryModels, AnObjectHasItsOwnStateAndChecks) {
     adapter->call({*sizes_of("exp3_quaternion"), true, 1, std::as_bytes(all.first(3)),
                    std::as_writable_bytes(std::span(Q)), status});
     EXPECT_EQ(Q[3], object->factor);
-    EXPECT_EQ(adapter->call({*sizes_of("check_quaternion"), true, 1, std::as_bytes(all), {}, status}), "w is 0");
+    EXPECT_EQ(adapter->call({*sizes_of("check_quaternion"), true, 1, std::as_bytes(all), {}, status}),
+              "w is 0");
     EXPECT_EQ(status[0], Status::refused);
   }
   const std::string name = register_adapter(liecheck_subject(static_cast<const Scaled*>(nullptr)));
@@ -198,8 +236,9 @@ TEST(LibraryModels, AnObjectHasItsOwnStateAndChecks) {
 TEST(LibraryModels, AListOfOperationsMayBeLong) {
 #define LIECHECK_ONE(subject, operation) +1
 #define LIECHECK_TEN a, a, a, a, a, a, a, a, a, a
-#define LIECHECK_HUNDRED \
-  LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN
+#define LIECHECK_HUNDRED                                                                            \
+  LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN, \
+      LIECHECK_TEN, LIECHECK_TEN, LIECHECK_TEN
   EXPECT_EQ(0 LIECHECK_EACH(LIECHECK_ONE, none, LIECHECK_HUNDRED, LIECHECK_HUNDRED), 200);
 #undef LIECHECK_ONE
 #undef LIECHECK_TEN

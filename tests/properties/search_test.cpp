@@ -143,7 +143,8 @@ TEST(CoverageReport, PassesForAFewCasesAndForTheWholeGenerator) {
 TEST(Shrinking, EndsInShortNumbers) {
   using V = std::vector<double>;
   const auto shrink = [](const V& x, Kind kind, auto fails) {
-    return shrink_input(x, {{"x", kind, static_cast<int>(x.size()), ""}}, oracles::scalar_of<double>, fails, 5000);
+    return shrink_input(x, {{"x", kind, static_cast<int>(x.size()), ""}}, oracles::scalar_of<double>, fails,
+                        5000);
   };
   EXPECT_EQ(shrink({123.456, -7.5e9, 0.3}, Kind::vector, [](const V& x) { return x[1] != 0; }), (V{0, 1, 0}));
   EXPECT_EQ(shrink({1.234e-5, 2e-5, 0.3e-5}, Kind::rotation_vector,
@@ -182,7 +183,8 @@ TEST(Shrinking, KeepsOnlyTheJointsThatMatter) {
     if (count(x, any) < 3 || count(x, spherical) == 0) continue;
     ++trees;
     const V small = shrink_input(
-        x, (*law)->fields(), (*law)->scalar(), [&](const V& y) { return (*law)->valid(y) && count(y, spherical) > 0; }, 5000,
+        x, (*law)->fields(), (*law)->scalar(),
+        [&](const V& y) { return (*law)->valid(y) && count(y, spherical) > 0; }, 5000,
         [&](const V& y) { return (*law)->simpler(y); });
     EXPECT_EQ(count(small, any), 1) << i;
   }

@@ -1,8 +1,8 @@
 // What the terminal says of a failure, and in how many words.
 
 #include <gtest/gtest.h>
-#include <subjects/other_libraries.hpp>
 #include <sys/wait.h>
+#include <subjects/other_libraries.hpp>
 
 #include <fmt/format.h>
 #include <subjects/typed.hpp>

@@ -46,8 +46,9 @@ TEST(TreeModels, OfAUrdfAreItsTextIfTheAdapterTakesIt) {
   Description reader;
   reader.models = {"urdf", "joints"};
   EXPECT_EQ(adapters::Model<double>(pendulum(), reader, nobody).text(), joints);
-  EXPECT_EQ(adapters::Model<double>(tree, reader, nobody).text(),
-            R"({"gravity":[0.0,0.0,-9.81],"nq":1,"nv":1,"order":["hinge"],"root":"fixed","urdf":"<robot/>"})");
+  EXPECT_EQ(
+      adapters::Model<double>(tree, reader, nobody).text(),
+      R"({"gravity":[0.0,0.0,-9.81],"nq":1,"nv":1,"order":["hinge"],"root":"fixed","urdf":"<robot/>"})");
 }
 
 TEST(TreeModels, OfOtherJointsAreNotSent) {
