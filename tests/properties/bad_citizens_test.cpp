@@ -43,7 +43,7 @@ class BadCitizen : public testing::TestWithParam<BadWay> {
   /// Returns the exit code. Standard output goes to `out`.
   int run(const std::string& arguments, const char* out, const char* way = GetParam().name) const {
     const std::string command = "cd " + folder_.string() + " && LIECHECK_BAD=" + way +
-                                " timeout 120 " LIECHECK_PROGRAM " " + arguments + " > " + out + " 2> err";
+                                " timeout 350 " LIECHECK_PROGRAM " " + arguments + " > " + out + " 2> err";
     return WEXITSTATUS(std::system(command.c_str()));
   }
   /// A campaign of the adapter, with a record. Returns the exit code.
