@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,9 +53,17 @@ std::string object_of(const std::string& conventions) {
   return "{" + all + "}";
 }
 
-bool offers(const liecheck_adapter& a, const char* operation, const char* scalar) {
-  if (a.interface_version > 1 && a.find_call) return a.find_call(a.context, operation, scalar) != nullptr;
-  return a.find(operation, scalar) != nullptr;
+using Function = std::function<void(size_t n, const void* inputs, void* results, unsigned char* status)>;
+/// The function of an operation, of either version of the interface; empty if it is not offered.
+Function function_of(const liecheck_adapter& a, const char* operation, const char* scalar) {
+  if (a.interface_version > 1 && a.find_call) {
+    const liecheck_call call = a.find_call(a.context, operation, scalar);
+    if (!call) return {};
+    return [&a, call](size_t n, const void* inputs, void* results, unsigned char* status) {
+      call(a.context, n, inputs, results, status);
+    };
+  }
+  return a.find ? Function(a.find(operation, scalar)) : Function();
 }
 
 std::string description_of(const liecheck_adapter& a) {
@@ -62,7 +71,7 @@ std::string description_of(const liecheck_adapter& a) {
   for (const Sizes& o : all_sizes) {
     std::string scalars;
     for (const char* scalar : {"float", "double"})
-      if (offers(a, o.operation, scalar)) scalars += (scalars.empty() ? "" : ", ") + quoted(scalar);
+      if (function_of(a, o.operation, scalar)) scalars += (scalars.empty() ? "" : ", ") + quoted(scalar);
     if (!scalars.empty())
       operations += (operations.empty() ? "" : ", ") + quoted(o.operation) + ": [" + scalars + "]";
   }
@@ -101,16 +110,14 @@ bool call(const liecheck_adapter& a, const std::string& line) {
   const bool is_double = std::strcmp(scalar, "double") == 0;
   const auto sizes = std::find_if(std::begin(all_sizes), std::end(all_sizes),
                                   [&](const Sizes& s) { return std::strcmp(s.operation, operation) == 0; });
-  if (sizes == std::end(all_sizes) || !offers(a, operation, scalar)) return false;
+  const Function function = sizes == std::end(all_sizes) ? Function() : function_of(a, operation, scalar);
+  if (!function) return false;
   const std::size_t size = is_double ? 8 : 4;
   std::vector<unsigned char> inputs(n * sizes->inputs * size), results(n * sizes->results * size),
       status(n, liecheck_done);
   if (std::fread(inputs.data(), 1, inputs.size(), stdin) != inputs.size()) return false;
   swap_if_big_endian(inputs, size);
-  if (a.interface_version > 1 && a.find_call)
-    a.find_call(a.context, operation, scalar)(a.context, n, inputs.data(), results.data(), status.data());
-  else
-    a.find(operation, scalar)(n, inputs.data(), results.data(), status.data());
+  function(n, inputs.data(), results.data(), status.data());
   swap_if_big_endian(results, size);
   std::string done = "done " + std::to_string(n);
   if (std::find(status.begin(), status.end(), liecheck_refused) != status.end() && a.reason) {

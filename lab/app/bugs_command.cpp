@@ -24,7 +24,7 @@ void hunt_down(BugRow& bug, const BugBench& bench, std::uint64_t cases, const Ro
   const FirstFailure f = first_failure({{{bug.name}, {}, {bench.scalar}},
                                         bench.seed,
                                         0,
-                                        bug.alike() ? most / 10 : most,
+                                        bug.alike() ? std::max<std::uint64_t>(most / 10, 1) : most,
                                         bug.alike() ? bench.seconds_each / 10 : bench.seconds_each},
                                        robot);
   bug.by = f.by, bug.cases = f.cases, bug.seconds = f.seconds, bug.killed = !f.by.empty();

@@ -98,6 +98,13 @@ class Inside {
   }
 };
 
+/// An adapter of version 1 or 2, with NULL for what version 1 does not have.
+liecheck_adapter copied(const liecheck_adapter& its) {
+  liecheck_adapter all{};
+  std::memcpy(&all, &its, its.interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof all);
+  return all;
+}
+
 class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
@@ -109,8 +116,7 @@ class Library final : public Adapter {
     if (its->interface_version < 1 || its->interface_version > LIECHECK_ADAPTER_VERSION)
       throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}",
                                       file, its->interface_version, LIECHECK_ADAPTER_VERSION));
-    std::memcpy(&adapter_, its,
-                its->interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof(liecheck_adapter));
+    adapter_ = copied(*its);
     if (!adapter_.name || !adapter_.version ||
         !(adapter_.find || adapter_.find_call || adapter_.find_model_call))
       throw AdapterFailed(
@@ -313,10 +319,7 @@ std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats) {
 }
 CFunction function_of_library(const std::string& file, const std::string& operation,
                               const std::string& scalar) {
-  const liecheck_adapter* const its = opened(file).second();
-  liecheck_adapter all{};
-  std::memcpy(&all, its, its->interface_version == 1 ? offsetof(liecheck_adapter, context) : sizeof all);
-  return Library::found(all, operation, scalar == "double");
+  return Library::found(copied(*opened(file).second()), operation, scalar == "double");
 }
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
   return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);
