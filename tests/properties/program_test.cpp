@@ -169,7 +169,7 @@ TEST_F(Program, ASweepRefusesBadArgumentsAndSaysWhichBoundItGives) {
   const Run whole = run("lab sweep -j 1 --coefficient c4_minus_3c5");
   EXPECT_EQ(whole.code, 0) << whole.err;
   EXPECT_NE(whole.out.find("an upper bound of the error in float over every argument"), std::string::npos);
-  EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L lab sweep -j 1 --coefficient alpha").code, 3);
+  EXPECT_EQ(shell("timeout --preserve-status -s INT 1 $L lab sweep -j 1 --coefficient alpha").code, 3);
 }
 
 TEST_F(Program, AHuntAppendsToACorpusAndRefusesAnyOtherFile) {
