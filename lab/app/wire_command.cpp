@@ -7,7 +7,7 @@
 #include <campaign/series.hpp>
 #include <chrono>
 #include <results/bench.hpp>
-#include <subjects/typed.hpp>
+#include <subjects/subject.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
@@ -36,13 +36,13 @@ struct Row {
 };
 
 Row row_of(const std::string& name, const std::string& subject) {
-  const auto all = typed_subjects<double>();
-  const auto own = std::ranges::find(all, subject, [](const auto* s) { return s->name; });
+  const auto all = subjects(oracles::scalar_of<double>);
+  const auto own = std::ranges::find(all, subject, &Subject::name);
   if (own == all.end() || !(*own)->operations[op::exp6])
     throw std::invalid_argument(fmt::format("'{}' offers no exp6 in double", name));
-  TypedSubject<double> only{(*own)->name, (*own)->version, {}, (*own)->adapter};
-  only.operations[op::exp6] = (*own)->operations[op::exp6];
-  const Subject* const only_exp6 = new Subject(erased(only));  // to the end
+  Subject* const only_exp6 = new Subject{**own};  // to the end
+  only_exp6->operations = {};
+  only_exp6->operations[op::exp6] = (*own)->operations[op::exp6];
   return {name, series_of("exp_oracle", *only_exp6, built_in_robot())};
 }
 

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <adapters/called.hpp>
 #include <algorithm>
 #include <cfenv>
 #include <conventions/reference.hpp>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <operations/numbers.hpp>
 #include <rounding/subjects.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -94,11 +94,12 @@ struct Tested {
 };
 
 template <class S, class F>
-Function caller(F f) {
+Function caller(F f, const Operation& operation) {
   if (!f) return nullptr;
-  return [f](const Numbers& x) {
+  return [f, &operation](const Numbers& x) {
+    const std::vector<S> arguments(x.begin(), x.end());
     Numbers y;
-    for (const S& number : adapters::called<S>(f, x)) y.push_back(double(number));
+    for (const S& number : called(f, operation, arguments.data())) y.push_back(double(number));
     return y;
   };
 }
@@ -151,14 +152,14 @@ std::vector<Tested> tested(const std::string& name) {
     const Property* const law = law_of(operation, laws);
     Tested one{&operation,
                [&operation](const Numbers& x) { return exact_result(operation, x); },
-               caller<double>(in_double.operations[operation]),
+               caller<double>(in_double.operations[operation], operation),
                nullptr,
                digits_bands(),
                [law, &operation](std::size_t band, const DigitsOptions& o) {
                  return inputs_of(*law, operation, band, o);
                }};
     if (at_random != in_stochastic().end())
-      one.at_random = caller<Stochastic>(at_random->operations[operation]);
+      one.at_random = caller<Stochastic>(at_random->operations[operation], operation);
     if (law && one.in_double && (one.at_random || at_random == in_stochastic().end())) all.push_back(one);
   });
   if (name == "liecheck")

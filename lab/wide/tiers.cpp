@@ -30,7 +30,8 @@ void add_tier(CostPlan& plan, const std::string& scalar, std::size_t each,
   add_cost_rows<T, double>(
       plan, scalar, eps, {&library}, each, false, laws,
       [&](const Operation& operation, const Property& law, const TypedSubject<T>&, const Signature& signature,
-          AnyFunction f) { return wide_score(operation, law, signature, f, eps); });
+          AnyFunction f) { return wide_score(operation, law, signature, f, eps); },
+      [](const auto&...) {});
 }
 
 void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property>>& laws) {

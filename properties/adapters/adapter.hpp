@@ -52,7 +52,7 @@ std::string in_words(Status status, const std::string& why);
 /// The outcome of such a call.
 Outcome outcome_of(Status status);
 
-/// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.
+/// n calls of one operation in one scalar. The numbers are consecutive; see operations/numbers.hpp.
 struct Batch {
   const OperationSizes& operation;  ///< one of all_sizes(), or of an operation on `model`
   bool is_double;

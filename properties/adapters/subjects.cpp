@@ -6,7 +6,6 @@
 #include <adapters/converted.hpp>
 #include <adapters/exchange.hpp>
 #include <adapters/noise.hpp>
-#include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
 #include <adapters/together.hpp>
 #include <adapters/trees.hpp>
@@ -16,10 +15,11 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
-#include <invariants/property.hpp>
 #include <memory>
 #include <optional>
+#include <subjects/number_function.hpp>
 #include <subjects/remote.hpp>
+#include <subjects/subject.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -57,13 +57,18 @@ bool in_process(int number) {
   return sources[static_cast<std::size_t>(number)]->in_process != nullptr;
 }
 
-/// Calls an operation of the adapter of this thread with consecutive numbers, floats or doubles. Throws CallFailed.
-void call_numbers(int number, const OperationSizes& sizes, bool is_double, std::span<const std::byte> inputs,
-                  std::span<std::byte> results) {
+/// Calls an operation of the adapter of this thread with numbers of its scalar. Throws CallFailed.
+void call_numbers(int number, const OperationSizes& sizes, const Scalar& scalar, const void* inputs,
+                  void* results) {
   std::array<Status, 1> status{};
   std::string why;
   try {
-    const Batch one{sizes, is_double, 1, inputs, results, status};
+    const Batch one{sizes,
+                    !scalar.is_float(),
+                    1,
+                    {static_cast<const std::byte*>(inputs), sizes.inputs * scalar.size},
+                    {static_cast<std::byte*>(results), sizes.results * scalar.size},
+                    status};
     why = in_process(number) ? adapter(number).call(one) : call_together(adapter(number), one);
   } catch (const AdapterFailed& e) {
     throw CallFailed(e.what(), sizes.operation, Outcome::crashed);
@@ -74,72 +79,50 @@ void call_numbers(int number, const OperationSizes& sizes, bool is_double, std::
   throw CallFailed(in_words(status[0], why), sizes.operation, outcome_of(status[0]));
 }
 
-/// Its own function for each adapter, operation and scalar, since a slot is a plain pointer; so it is short.
-template <int number, const auto& operation, class S, class R, class... A>
-R call(A... arguments) {
-  static const OperationSizes& sizes = *sizes_of(operation.name);
-  std::array<S, (Shape<std::remove_cvref_t<A>>::size + ...)> inputs;
-  std::array<S, Shape<R>::size> results;
-  S* at = inputs.data();
-  ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
-  call_numbers(number, sizes, sizeof(S) == 8, std::as_bytes(std::span(inputs)),
-               std::as_writable_bytes(std::span(results)));
-  return Shape<R>::get(results.data());
-}
-
-template <int number, class S>
-RobotOperations<S> robot(const std::string& urdf, bool fixed) {
-  return robot_operations<S>(urdf, fixed, []() -> Adapter& { return adapter(number); });
-}
-
-template <int number, class S, const auto& operation, class R, class... A>
-void fill(R (*&slot)(A...), const Description& d) {
-  if (d.offered.contains({std::string(operation.name), std::string(oracles::scalar_of<S>.name)}))
-    slot = &call<number, operation, S, R, A...>;
-}
-template <int number, class S, const auto&... all>
-void fill_all(Slots<S, all...>& slots, const Description& d) {
-  (fill<number, S, all>(slots[all], d), ...);
-}
-/// A library's own check of a quaternion or a rotation.
-template <int number, class S, class T>
-void fill_check(std::function<void(const T&)>& slot, const char* name, const Description& d) {
-  if (!d.offered.contains({name, std::string(oracles::scalar_of<S>.name)})) return;
-  slot = [&sizes = *sizes_of(name)](const T& x) {
-    std::array<S, Shape<T>::size> numbers;
-    Shape<T>::put(x, numbers.data());
-    call_numbers(number, sizes, sizeof(S) == 8, std::as_bytes(std::span(numbers)), {});
+/// Adds the subject of an adapter in one scalar, if it offers anything in it.
+void register_one(int number, const std::string& text, const Description& d, const Scalar& scalar) {
+  const auto offers = [&d, &scalar](std::string_view operation) {
+    return d.offered.contains({std::string(operation), std::string(scalar.name)});
   };
-}
-template <int number, class S>
-void fill_operations(TypedOperations<S>& o, const Description& d) {
-  fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
-  fill_check<number, S>(o.check_quaternion, "check_quaternion", d);
-  fill_check<number, S>(o.check_rotation, "check_rotation", d);
-  if (offers_trees(d, std::string(oracles::scalar_of<S>.name)))
-    o.tree = [d](const Tree<S>& tree) {
-      return tree_operations(tree, d, []() -> Adapter& { return adapter(number); });
+  if (std::ranges::none_of(d.offered, [&](const auto& o) { return o.second == scalar.name; })) return;
+  Subject s{d.name, d.version, text, &scalar};
+  fill_slots(s.operations, [&](const Operation& o) {
+    NumberFunction f{&o, &scalar};
+    if (offers(o.name))
+      f.compute = [number, &scalar, &sizes = *sizes_of(o.name)](const void* in, void* out) {
+        call_numbers(number, sizes, scalar, in, out);
+      };
+    return f;
+  });
+  // A library's own check of a quaternion or a rotation.
+  const auto fill_check = [&](auto& slot, const char* name) {
+    if (!offers(name)) return;
+    slot = [number, &scalar, &sizes = *sizes_of(name)](const auto& x) {
+      scalar.with([&]<class N>() {
+        std::array<N, 9> numbers;
+        N* to = numbers.data();
+        put_numbers(x, to);
+        call_numbers(number, sizes, scalar, numbers.data(), nullptr);
+      });
     };
-  if (offers_robots(d, std::string(oracles::scalar_of<S>.name))) o.robot = &robot<number, S>;
-}
-
-template <class S, int... numbers>
-void register_one(int wanted, const std::string& text, const Description& d,
-                  std::integer_sequence<int, numbers...>) {
-  TypedSubject<S> s{d.name, d.version, {}, text};
-  ((wanted == numbers ? fill_operations<numbers, S>(s.operations, d) : void()), ...);
-  const bool any = std::ranges::any_of(
-      d.offered, [](auto& o) { return o.second == std::string(oracles::scalar_of<S>.name); });
-  if (any) Registered<S>(std::move(s));
-}
-
-template <class S, class R, class... A>
-OperationSizes sizes_in(const Operation& o, R (*)(A...)) {
-  return {o.name, (Shape<std::remove_cvref_t<A>>::size + ...), Shape<R>::size};
-}
-template <class S, const auto&... all>
-std::vector<OperationSizes> sizes_with_checks(const Slots<S, all...>& slots) {
-  return {sizes_in<S>(all, slots[all])..., {"check_quaternion", 4, 0}, {"check_rotation", 9, 0}};
+  };
+  fill_check(s.operations.check_quaternion, "check_quaternion");
+  fill_check(s.operations.check_rotation, "check_rotation");
+  const Route route = [number]() -> Adapter& { return adapter(number); };
+  const std::string in(scalar.name);
+  if (offers_trees(d, in))
+    s.operations.tree = [d, &scalar, route](const Tree<double>& tree) {
+      TreeOperations<double> o;
+      fill_tree(o, tree, d, scalar, route);
+      return o;
+    };
+  if (offers_robots(d, in))
+    s.operations.robot = [&scalar, route](const std::string& urdf, bool fixed) {
+      RobotOperations<double> o;
+      fill_robot(o, urdf, fixed, scalar, route);
+      return o;
+    };
+  register_subject(std::move(s));
 }
 
 std::unique_ptr<Adapter> converted(std::unique_ptr<Adapter> own) {
@@ -173,21 +156,27 @@ std::string register_as(const std::string& text, const std::string& name, bool i
     if (!is_operation(operation))
       refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
   if (d.offered.empty()) refuse("it offers no operation");
-  for (const auto* s : typed_subjects<double>())
+  for (const Subject* s : subjects(oracles::scalar_of<double>))
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
   source.description = d;
   *free = source;
   if (!in_process) remote_subjects().insert(d.name);
-  constexpr auto numbers = std::make_integer_sequence<int, most_adapters>();
-  register_one<float>(source.number, text, d, numbers);
-  register_one<double>(source.number, text, d, numbers);
+  register_one(source.number, text, d, oracles::scalar_of<float>);
+  register_one(source.number, text, d, oracles::scalar_of<double>);
   return d.name;
 }
 
 }  // namespace
 
 const std::vector<OperationSizes>& all_sizes() {
-  static const std::vector<OperationSizes> all = sizes_with_checks(SpatialSlots<double>());
+  static const std::vector<OperationSizes> all = [] {
+    std::vector<OperationSizes> sizes;
+    SpatialSlots<Doubles>::for_each([&](const Operation& o) {
+      sizes.push_back({o.name, count_numbers(o.arguments), count_numbers(o.results)});
+    });
+    sizes.push_back({"check_quaternion", 4, 0}), sizes.push_back({"check_rotation", 9, 0});
+    return sizes;
+  }();
   return all;
 }
 std::span<const OperationSizes> operation_sizes() {

@@ -26,7 +26,7 @@ std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter);
 /// --adapter NAME.so.
 std::string register_adapter(const liecheck_adapter& adapter);
 
-inline constexpr int most_adapters = 4;
+inline constexpr int most_adapters = 16;
 
 /// What the adapter that was registered with this text says of itself; null if there is none.
 const Description* description_of(const std::string& text);

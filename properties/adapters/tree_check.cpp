@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <invariants/tree_law.hpp>
+#include <iterator>
+#include <operations/numbers.hpp>
+#include <subjects/subject.hpp>
 #include <support/embedded.hpp>
 
 namespace liecheck::properties::adapters {
@@ -66,84 +69,35 @@ Tree<double> built_in_robot_tree() {
   return tree;
 }
 
-template <class S>
-Tree<S> in(const Tree<double>& from) {
-  Tree<S> to;
-  const auto copy = [](auto& x, const auto& y) {
-    std::ranges::transform(y.x, x.x.begin(), [](double n) { return S(n); });
-  };
-  copy(to.gravity, from.gravity), copy(to.frame_Q, from.frame_Q), copy(to.frame_p, from.frame_p);
-  for (const auto& j : from.joints) {
-    oracles::JointOf<S> k;
-    k.kind = j.kind, k.parent = j.parent, k.primary = j.primary;
-    copy(k.Q, j.Q), copy(k.p, j.p), copy(k.axis, j.axis), copy(k.body.c, j.body.c),
-        copy(k.body.I_C, j.body.I_C);
-    k.pitch = S(j.pitch), k.multiplier = S(j.multiplier), k.offset = S(j.offset), k.armature = S(j.armature);
-    k.body.mass = S(j.body.mass);
-    to.joints.push_back(k);
-  }
-  to.index();
-  to.frame_joint = from.frame_joint, to.urdf = from.urdf;
-  return to;
-}
-
-template <class S>
+/// A state of a tree, as numbers rounded to a scalar.
 struct State {
-  VecX<S> q, v, a;
-  int joint;
-  Vec<S, 6> F;
+  std::vector<double> q, v, a, joint, F;
 
-  State(const Tree<S>& tree, Numbers& number) : joint(static_cast<int>(tree.joints.size()) - 1) {
-    std::vector<S> all;
+  State(const Tree<double>& tree, const Scalar& scalar, Numbers& number)
+      : joint{static_cast<double>(tree.joints.size()) - 1} {
+    const auto next = [&] { return scalar.rounded(number()); };
     for (const auto& j : tree.joints) {
       if (j.primary >= 0) continue;
       using enum oracles::JointKind;
       const int n = configuration_size(j.kind), circle = j.kind == continuous || j.kind == planar ? 2 : 0,
                 unit = j.kind == spherical || j.kind == free_flyer ? 4 : circle;
-      for (int k = unit; k < n; ++k) all.push_back(S(number()));
-      for (const double x : number.unit(unit)) all.push_back(S(x));
+      for (int k = unit; k < n; ++k) q.push_back(next());
+      for (const double x : number.unit(unit)) q.push_back(scalar.rounded(x));
     }
-    q = eigen(all);
-    const auto random = [&](int n) -> VecX<S> {
-      return VecX<S>::NullaryExpr(n, [&] { return S(number()); });
-    };
-    v = random(tree.nv), a = random(tree.nv), F = random(6);
+    for (auto* part : {&v, &a}) std::generate_n(std::back_inserter(*part), tree.nv, next);
+    std::generate_n(std::back_inserter(F), 6, next);
   }
 };
 
-/// The argument of type T that the layout names. `other` is a second configuration.
-template <class S, class T>
-T argument(const Layout& layout, const State<S>& x, const State<S>& other, Seen seen) {
-  if constexpr (std::is_same_v<T, VecX<S>>)
-    return layout.name == "q1"                            ? other.q
-           : layout.name.starts_with('q')                 ? x.q
-           : layout.name == "v" || layout.name == "delta" ? x.v
-                                                          : x.a;
-  else if constexpr (std::is_same_v<T, int>)
-    return x.joint;
-  else if constexpr (std::is_same_v<T, Seen>)
-    return seen;
-  else
-    return x.F;
-}
-
-/// The numbers of a result as an adapter gives them.
-template <class S, class R>
-std::vector<double> given(const R& r) {
-  std::vector<double> x;
-  const auto add = [&](const auto& m) {
-    for (int i = 0; i < m.rows(); ++i)
-      for (int j = 0; j < m.cols(); ++j) x.push_back(static_cast<double>(m(i, j)));
-  };
-  if constexpr (requires { r.R; })
-    add(r.R), add(r.p);
-  else if constexpr (requires { r.second; })
-    add(r.first), add(r.second);
-  else if constexpr (requires { r.rows(); })
-    add(r);
-  else
-    x.push_back(static_cast<double>(r));
-  return x;
+/// The numbers of the argument that the layout names. `other` is a second state.
+std::vector<double> argument(const Layout& layout, const State& x, const State& other, Seen seen) {
+  return layout.name == "q1"                            ? other.q
+         : layout.name.starts_with('q')                 ? x.q
+         : layout.name == "v" || layout.name == "delta" ? x.v
+         : layout.name == op::wrench_joint.name         ? x.joint
+         : layout.name == op::wrench.name               ? x.F
+         : layout.name == op::seen.name                 ? std::vector{static_cast<double>(seen)}
+                                                        : x.a;
 }
 
 std::string difference(const std::vector<double>& x, const std::vector<double>& right) {
@@ -170,52 +124,58 @@ std::string explanation(const Operation& o, std::vector<double> x, const std::ve
   return halves && difference(x, right).empty() ? ": its angular part comes first" : "";
 }
 
-template <class S>
 class TreeCheck {
  public:
-  TreeCheck(Adapter& adapter, const char* scalar, const Tree<S>& tree, std::vector<CheckedOperation>& to,
-            std::vector<conventions::Finding>& findings)
+  TreeCheck(Adapter& adapter, const Scalar& scalar, const Tree<double>& tree,
+            std::vector<CheckedOperation>& to, std::vector<conventions::Finding>& findings)
       : adapter_(adapter),
         scalar_(scalar),
         to_(to),
         findings_(findings),
-        model_(tree, adapter.description(), [&]() -> Adapter& { return adapter; }),
+        model_(tree, adapter.description(), scalar, [&]() -> Adapter& { return adapter; }),
         where_(tree.urdf ? "of the URDF of the built-in robot" : "of a chain of joints"),
-        first_(tree, number_),
-        second_(tree, number_) {}
+        first_(tree, scalar, number_),
+        second_(tree, scalar, number_) {}
 
   template <const auto&... all>
-  void each(const Slots<S, all...>& reference) {
-    (one(all, reference[all]), ...);
+  void each(const Slots<double, all...>& reference) {
+    const auto right = [&](const auto& o) {
+      one(o, [&](const std::vector<double>& x) { return called(reference[o], o, x.data(), model_.size()); });
+    };
+    (right(all), ...);
   }
 
  private:
-  template <class R, class... A>
-  void one(const Operation& o, const std::function<R(const A&...)>& reference) {
-    if (!adapter_.description().offered.contains({std::string(o.name), scalar_})) return;
+  using Reference = std::function<std::vector<double>(const std::vector<double>& arguments)>;
+
+  void one(const Operation& o, const Reference& reference) {
+    const std::string scalar(scalar_.name);
+    if (!adapter_.description().offered.contains({std::string(o.name), scalar})) return;
     const auto is_this = [&](const CheckedOperation& c) {
-      return c.operation == o.name && c.scalar == scalar_;
+      return c.operation == o.name && c.scalar == scalar;
     };
     auto at = std::ranges::find_if(to_, is_this);
-    if (at == to_.end()) at = to_.insert(at, {std::string(o.name), scalar_, ""});
-    const bool sees = (std::is_same_v<A, Seen> || ...);
+    if (at == to_.end()) at = to_.insert(at, {std::string(o.name), scalar, ""});
     for (const Seen seen : {Seen::world, Seen::local, Seen::aligned}) {
-      if (!at->complaint.empty() || (!sees && seen != Seen::world)) return;
-      at->complaint = asked<R, A...>(o, reference, seen);
+      if (!at->complaint.empty() || (!sees(o) && seen != Seen::world)) return;
+      scalar_.with([&]<class S>() { at->complaint = asked<S>(o, reference, seen); });
     }
   }
-  template <class R, class... A, class F>
-  std::string asked(const Operation& o, const F& reference, Seen seen) try {
+  static bool sees(const Operation& o) {
+    return std::ranges::any_of(o.arguments, [](const Layout* l) { return l->name == op::seen.name; });
+  }
+  template <class S>
+  std::string asked(const Operation& o, const Reference& reference, Seen seen) try {
     std::vector<S> inputs;
     std::vector<std::vector<double>> right;
     for (const auto& [x, other] : {std::pair(&first_, &second_), std::pair(&second_, &first_)}) {
-      const Layout* const* layout = o.arguments.begin();
-      const auto next = [&]() -> const Layout& { return **layout++; };
-      const std::tuple<A...> arguments{argument<S, A>(next(), *x, *other, seen)...};
-      std::apply(
-          [&](const A&... a) { (append(inputs, a), ...), right.push_back(given<S, R>(reference(a...))); },
-          arguments);
-      if (o.name.starts_with("frame_")) append(inputs, model_.frame());
+      std::vector<double> arguments;
+      for (const Layout* layout : o.arguments)
+        std::ranges::copy(argument(*layout, *x, *other, seen), std::back_inserter(arguments));
+      right.push_back(reference(arguments));
+      inputs.insert(inputs.end(), arguments.begin(), arguments.end());
+      if (o.name.starts_with("frame_"))
+        inputs.insert(inputs.end(), model_.frame().begin(), model_.frame().end());
     }
     const OperationSizes sizes = model_.sizes(o);
     std::vector<S> together(2 * sizes.results), single = together;
@@ -240,11 +200,10 @@ class TreeCheck {
       if (wrong.empty()) continue;
       wrong += explanation(o, got, right[k]);
       constexpr const char* references[] = {" in WORLD", " in LOCAL", " in LOCAL_WORLD_ALIGNED"};
-      const bool sees = (std::is_same_v<A, Seen> || ...);
-      findings_.push_back(
-          {false,
-           fmt::format("{} {}{}: {}", o.name, where_, sees ? references[static_cast<int>(seen)] : "", wrong),
-           {std::string(o.name)}});
+      findings_.push_back({false,
+                           fmt::format("{} {}{}: {}", o.name, where_,
+                                       sees(o) ? references[static_cast<int>(seen)] : "", wrong),
+                           {std::string(o.name)}});
       return "is wrong";
     }
     return "";
@@ -253,30 +212,26 @@ class TreeCheck {
   }
 
   Adapter& adapter_;
-  const char* scalar_;
+  const Scalar& scalar_;
   std::vector<CheckedOperation>& to_;
   std::vector<conventions::Finding>& findings_;
-  Model<S> model_;
+  Model model_;
   std::string where_;
   Numbers number_;
-  State<S> first_, second_;
+  State first_, second_;
 };
 
-template <class S>
-void check_in(const char* scalar, Adapter& adapter, Checked& all) {
+void check_in(const Scalar& scalar, Adapter& adapter, Checked& all) {
   const Description& d = adapter.description();
-  const auto own = [] {
-    for (const TypedSubject<S>* s : typed_subjects<S>())
-      if (s->name == "liecheck") return s;
-    throw std::logic_error("no subject liecheck");
-  }();
-  const auto check = [&](const Tree<S>& tree) {
-    TreeCheck<S> c(adapter, scalar, tree, all.operations, all.findings);
-    c.each(own->operations.tree(tree));
-    if (tree.urdf) c.each(own->operations.robot(tree.urdf->text, tree.urdf->fixed));
+  const auto every = subjects(scalar);
+  const Operations& own = (*std::ranges::find(every, "liecheck", &Subject::name))->operations;
+  const auto check = [&](const Tree<double>& tree) {
+    TreeCheck c(adapter, scalar, tree, all.operations, all.findings);
+    c.each(own.tree(tree));
+    if (tree.urdf) c.each(own.robot(tree.urdf->text, tree.urdf->fixed));
   };
-  if (d.models.contains("joints")) check(in<S>(chain(d)));
-  if (d.models.contains("urdf")) check(in<S>(built_in_robot_tree()));
+  if (d.models.contains("joints")) check(chain(d));
+  if (d.models.contains("urdf")) check(built_in_robot_tree());
 }
 
 }  // namespace
@@ -285,8 +240,8 @@ Checked check_trees(Adapter& adapter) {
   Checked all;
   const auto of_trees = [](const auto& offered) { return model_operation(offered.first) != nullptr; };
   if (std::ranges::none_of(adapter.description().offered, of_trees)) return all;
-  check_in<double>("double", adapter, all);
-  check_in<float>("float", adapter, all);
+  check_in(oracles::scalar_of<double>, adapter, all);
+  check_in(oracles::scalar_of<float>, adapter, all);
   return all;
 }
 

@@ -1,11 +1,10 @@
 #include <adapters/trees.hpp>
 
 #include <fmt/format.h>
-#include <adapters/shapes.hpp>
 #include <algorithm>
-#include <invariants/property.hpp>
-#include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <subjects/number_function.hpp>
 #include <support/json.hpp>
 
 namespace liecheck::properties::adapters {
@@ -18,63 +17,48 @@ bool of_frame(const Operation& o) {
   return o.name.starts_with("frame_");
 }
 
-/// How many numbers the values have. The reference of a frame has no parts, and is one number.
-std::size_t numbers(const auto& layouts, int nq_numbers, int nv_numbers) {
-  int n = 0;
-  for (const Layout* layout : layouts) {
-    if (layout->parts.size() == 0) ++n;
-    for (const Part& part : layout->parts)
-      n += part.size == nq          ? nq_numbers
-           : part.size == nv        ? nv_numbers
-           : part.size == nv_by_nv  ? nv_numbers * nv_numbers
-           : part.size == six_by_nv ? 6 * nv_numbers
-                                    : part.size;
-  }
-  return static_cast<std::size_t>(n);
-}
+/// Writes a model with its numbers rounded to a scalar.
+struct Writer {
+  const Scalar& scalar;
 
-template <class T>
-json list(const T& x) {
-  json all = json::array();
-  for (const auto& number : x) all.push_back(static_cast<double>(number));
-  return all;
-}
-template <class S>
-json body(int joint, const oracles::BodyOf<S>& b, const oracles::Quaternion<S>& Q,
-          const oracles::Vec3<S>& p) {
-  return {{"joint", joint},   {"Q", list(Q.x)},      {"p", list(p.x)}, {"mass", static_cast<double>(b.mass)},
-          {"c", list(b.c.x)}, {"I_C", list(b.I_C.x)}};
-}
-template <class S>
-json joint(const oracles::JointOf<S>& j) {
-  json text{{"kind", joint_names()[static_cast<std::size_t>(j.kind)]},
-            {"parent", j.parent},
-            {"Q", list(j.Q.x)},
-            {"p", list(j.p.x)}};
-  using enum oracles::JointKind;
-  if (j.kind == revolute || j.kind == continuous || j.kind == prismatic || j.kind == helical)
-    text["axis"] = list(j.axis.x);
-  if (j.kind == helical) text["pitch"] = static_cast<double>(j.pitch);
-  if (j.primary < 0) {
-    text["armature"] = static_cast<double>(j.armature);
-  } else {
-    text["mimic"] = j.primary;
-    text["multiplier"] = static_cast<double>(j.multiplier), text["offset"] = static_cast<double>(j.offset);
+  double number(double x) const { return scalar.rounded(x); }
+  json list(const auto& x) const {
+    json all = json::array();
+    for (const double n : x) all.push_back(number(n));
+    return all;
   }
-  return text;
-}
-json joints_of(const auto& tree) {
-  using S = std::remove_cvref_t<decltype(tree.frame_p[0])>;
-  json text{{"gravity", list(tree.gravity.x)}, {"joints", json::array()}, {"bodies", json::array()}};
-  const oracles::Vec3<S> origin{{S(0), S(0), S(0)}};
-  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
-    text["joints"].push_back(joint(tree.joints[i]));
-    text["bodies"].push_back(
-        body<S>(static_cast<int>(i), tree.joints[i].body, {{S(0), S(0), S(0), S(1)}}, origin));
+  json body(int joint, const oracles::BodyOf<double>& b, const oracles::Quaternion<double>& Q,
+            const oracles::Vec3<double>& p) const {
+    return {{"joint", joint},         {"Q", list(Q.x)},   {"p", list(p.x)},
+            {"mass", number(b.mass)}, {"c", list(b.c.x)}, {"I_C", list(b.I_C.x)}};
   }
-  for (const FixedBody<S>& b : tree.fixed) text["bodies"].push_back(body<S>(b.joint, b.body, b.Q, b.p));
-  return text;
-}
+  json joint(const oracles::JointOf<double>& j) const {
+    json text{{"kind", joint_names()[static_cast<std::size_t>(j.kind)]},
+              {"parent", j.parent},
+              {"Q", list(j.Q.x)},
+              {"p", list(j.p.x)}};
+    using enum oracles::JointKind;
+    if (j.kind == revolute || j.kind == continuous || j.kind == prismatic || j.kind == helical)
+      text["axis"] = list(j.axis.x);
+    if (j.kind == helical) text["pitch"] = number(j.pitch);
+    if (j.primary < 0) {
+      text["armature"] = number(j.armature);
+    } else {
+      text["mimic"] = j.primary;
+      text["multiplier"] = number(j.multiplier), text["offset"] = number(j.offset);
+    }
+    return text;
+  }
+  json joints_of(const Tree<double>& tree) const {
+    json text{{"gravity", list(tree.gravity.x)}, {"joints", json::array()}, {"bodies", json::array()}};
+    for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+      text["joints"].push_back(joint(tree.joints[i]));
+      text["bodies"].push_back(body(static_cast<int>(i), tree.joints[i].body, {{0, 0, 0, 1}}, {{0, 0, 0}}));
+    }
+    for (const FixedBody<double>& b : tree.fixed) text["bodies"].push_back(body(b.joint, b.body, b.Q, b.p));
+    return text;
+  }
+};
 json urdf_of(const UrdfModel& m, const json& gravity) {
   return {{"urdf", m.text},
           {"root", m.fixed ? "fixed" : "free-flyer"},
@@ -83,53 +67,16 @@ json urdf_of(const UrdfModel& m, const json& gravity) {
 }
 
 /// What the tree has and the adapter does not take, in words, or "".
-template <class S>
-std::string unsupported(const Tree<S>& tree, const Description& adapter) {
+std::string unsupported(const Tree<double>& tree, const Description& adapter) {
   if (adapter.joints.empty()) return "";
   for (const auto& j : tree.joints) {
     std::vector<std::string> uses{joint_names()[static_cast<std::size_t>(j.kind)]};
     if (j.primary >= 0) uses.push_back("mimic");
-    if (j.primary < 0 && j.armature != S(0)) uses.push_back("armature");
+    if (j.primary < 0 && j.armature != 0) uses.push_back("armature");
     for (const std::string& name : uses)
       if (!adapter.joints.contains(name)) return fmt::format("the adapter takes no tree with: {}", name);
   }
   return "";
-}
-
-template <class S>
-MatX<S> matrix(const S* from, int rows, int columns) {
-  return Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(from, rows,
-                                                                                             columns);
-}
-/// The result of an operation from its numbers.
-template <class S, class R>
-R result(const std::vector<S>& x, const Operation& o, int nv_numbers) {
-  if constexpr (std::is_same_v<R, bool>)
-    return x[0] != S(0);
-  else if constexpr (std::is_same_v<R, VecX<S>>)
-    return Eigen::Map<const VecX<S>>(x.data(), static_cast<Eigen::Index>(x.size()));
-  else if constexpr (std::is_same_v<R, MatX<S>>)
-    return matrix(x.data(), o.results[0]->parts[0].size == six_by_nv ? 6 : nv_numbers, nv_numbers);
-  else if constexpr (requires { typename R::second_type; })
-    return {matrix(x.data(), nv_numbers, nv_numbers),
-            matrix(x.data() + nv_numbers * nv_numbers, nv_numbers, nv_numbers)};
-  else
-    return Shape<R>::get(x.data());
-}
-
-template <class S, class R, class... A>
-void fill(std::function<R(const A&...)>& slot, const Operation& o,
-          const std::shared_ptr<const Model<S>>& model) {
-  slot = [model, &o](const A&... arguments) -> R {
-    std::vector<S> numbers;
-    (append(numbers, arguments), ...);
-    return result<S, R>(model->call(o, std::move(numbers)), o, model->nv());
-  };
-}
-/// Fills the slots of those operations for which `offered` is true.
-template <class S, const auto&... all, class Offered>
-void fill_all(Slots<S, all...>& slots, const std::shared_ptr<const Model<S>>& model, const Offered& offered) {
-  ((offered(all) ? fill(slots[all], all, model) : void()), ...);
 }
 
 }  // namespace
@@ -169,72 +116,87 @@ bool offers_robots(const Description& adapter, const std::string& scalar) {
   return all;
 }
 
-template <class S>
-Model<S>::Model(const Tree<S>& tree, const Description& adapter, Route route)
-    : nq_(tree.nq), nv_(tree.nv), frame_{S(tree.frame_joint)}, route_(std::move(route)) {
+Model::Model(const Tree<double>& tree, const Description& adapter, const Scalar& scalar, Route route)
+    : size_{tree.nq, tree.nv},
+      scalar_(scalar),
+      frame_{static_cast<double>(tree.frame_joint)},
+      route_(std::move(route)) {
   frame_.insert(frame_.end(), tree.frame_Q.x.begin(), tree.frame_Q.x.end());
   frame_.insert(frame_.end(), tree.frame_p.x.begin(), tree.frame_p.x.end());
   const bool urdf = tree.urdf && adapter.models.contains("urdf");
   if (!urdf) unsupported_ = unsupported(tree, adapter);
-  json text = urdf ? urdf_of(*tree.urdf, list(tree.gravity.x)) : joints_of(tree);
-  text["nq"] = nq_, text["nv"] = nv_;
+  const Writer writer{scalar};
+  json text = urdf ? urdf_of(*tree.urdf, writer.list(tree.gravity.x)) : writer.joints_of(tree);
+  text["nq"] = size_.nq, text["nv"] = size_.nv;
   text_ = dumped(text);
 }
-template <class S>
-Model<S>::Model(const UrdfModel& robot, Route route)
-    : nq_(robot.nq), nv_(robot.nv), route_(std::move(route)) {
+Model::Model(const UrdfModel& robot, const Scalar& scalar, Route route)
+    : size_{robot.nq, robot.nv}, scalar_(scalar), route_(std::move(route)) {
   json text = urdf_of(robot, {0, 0, -9.81});
-  text["nq"] = nq_, text["nv"] = nv_;
+  text["nq"] = size_.nq, text["nv"] = size_.nv;
   text_ = dumped(text);
 }
 
-template <class S>
-OperationSizes Model<S>::sizes(const Operation& o) const {
-  return {o.name, numbers(o.arguments, nq_, nv_) + (of_frame(o) ? frame_.size() : 0),
-          numbers(o.results, nq_, nv_)};
+OperationSizes Model::sizes(const Operation& o) const {
+  return {o.name, count_numbers(o.arguments, size_) + (of_frame(o) ? frame_.size() : 0),
+          count_numbers(o.results, size_)};
 }
 
-template <class S>
-std::vector<S> Model<S>::call(const Operation& o, std::vector<S> arguments) const {
+void Model::call(const Operation& o, const void* arguments, void* results) const {
   if (!unsupported_.empty()) throw CallFailed(unsupported_, o.name, Outcome::outside_domain);
-  if (of_frame(o)) append(arguments, frame_);
   const OperationSizes expected = sizes(o);
-  std::vector<S> results(expected.results, std::numeric_limits<S>::quiet_NaN());
+  const std::size_t size = scalar_.size;
+  std::vector<std::byte> all(expected.inputs * size);
+  std::byte* const frame = std::copy_n(static_cast<const std::byte*>(arguments),
+                                       count_numbers(o.arguments, size_) * size, all.data());
+  if (of_frame(o)) scalar_.with([&]<class S>() { std::ranges::copy(frame_, reinterpret_cast<S*>(frame)); });
   Status status{};
   std::string why;
   try {
-    why = route_().call({expected, sizeof(S) == 8, 1, std::as_bytes(std::span(arguments)),
-                         std::as_writable_bytes(std::span(results)), std::span(&status, 1), text_});
+    why = route_().call({expected,
+                         !scalar_.is_float(),
+                         1,
+                         all,
+                         {static_cast<std::byte*>(results), expected.results * size},
+                         {&status, 1},
+                         text_});
   } catch (const AdapterFailed& e) {
     throw CallFailed(e.what(), o.name, Outcome::crashed);
   }
   if (status == Status::refused) throw std::domain_error(in_words(status, why));
   if (status != Status::done) throw CallFailed(in_words(status, why), o.name, outcome_of(status));
-  return results;
 }
 
-template <class S>
-TreeOperations<S> tree_operations(const Tree<S>& tree, const Description& adapter, const Route& route) {
-  TreeOperations<S> o;
-  if (adapter.models.contains("joints") || (tree.urdf && adapter.models.contains("urdf")))
-    fill_all(o, std::make_shared<const Model<S>>(tree, adapter, route), [&](const Operation& operation) {
-      return adapter.offered.contains({std::string(operation.name), std::string(oracles::scalar_of<S>.name)});
-    });
-  return o;
-}
-template <class S>
-RobotOperations<S> robot_operations(const std::string& urdf, bool fixed, const Route& route) {
-  RobotOperations<S> o;
-  fill_all(o, std::make_shared<const Model<S>>(*urdf_model(urdf, fixed), route),
-           [](const Operation&) { return true; });
-  return o;
+namespace {
+
+/// The functions of a model that are `offered`.
+FindFunction found_in(std::shared_ptr<const Model> model, const Scalar& scalar, const auto& offered,
+                      int tree = 0) {
+  return [model = std::move(model), &scalar, offered, tree](const Operation& o) {
+    NumberFunction f{&o, &scalar, model->size(), tree};
+    if (offered(o)) f.compute = [model, &o](const void* in, void* out) { model->call(o, in, out); };
+    return f;
+  };
 }
 
-template class Model<float>;
-template class Model<double>;
-template TreeOperations<float> tree_operations(const Tree<float>&, const Description&, const Route&);
-template TreeOperations<double> tree_operations(const Tree<double>&, const Description&, const Route&);
-template RobotOperations<float> robot_operations(const std::string&, bool, const Route&);
-template RobotOperations<double> robot_operations(const std::string&, bool, const Route&);
+}  // namespace
+
+void fill_tree(TreeOperations<double>& o, const Tree<double>& tree, const Description& adapter,
+               const Scalar& scalar, const Route& route) {
+  const int number = next_tree();
+  if (!adapter.models.contains("joints") && !(tree.urdf && adapter.models.contains("urdf"))) return;
+  fill_slots(o,
+             found_in(
+                 std::make_shared<const Model>(tree, adapter, scalar, route), scalar,
+                 [&](const Operation& operation) {
+                   return adapter.offered.contains({std::string(operation.name), std::string(scalar.name)});
+                 },
+                 number));
+}
+void fill_robot(RobotOperations<double>& o, const std::string& urdf, bool fixed, const Scalar& scalar,
+                const Route& route) {
+  fill_slots(o, found_in(std::make_shared<const Model>(*urdf_model(urdf, fixed), scalar, route), scalar,
+                         [](const Operation&) { return true; }));
+}
 
 }  // namespace liecheck::properties::adapters

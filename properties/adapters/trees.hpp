@@ -5,6 +5,8 @@
 
 #include <adapters/adapter.hpp>
 #include <functional>
+#include <operations/numbers.hpp>
+#include <subjects/subject.hpp>
 #include <subjects/tree.hpp>
 #include <vector>
 
@@ -21,47 +23,38 @@ const Operation* model_operation(std::string_view name);
 /// Where to send calls of a model, and how.
 using Route = std::function<Adapter&()>;
 
-/// A model that an adapter is asked about, in the scalar S.
-template <class S>
+/// A model that an adapter is asked about. Its numbers are rounded to the scalar.
 class Model {
  public:
   /// The URDF of the tree, if it has one and the adapter takes it; otherwise the list of its joints.
-  Model(const Tree<S>& tree, const Description& adapter, Route route);
-  Model(const UrdfModel& robot, Route route);
+  Model(const Tree<double>& tree, const Description& adapter, const Scalar& scalar, Route route);
+  Model(const UrdfModel& robot, const Scalar& scalar, Route route);
 
   /// How many numbers the operation takes and gives.
   OperationSizes sizes(const Operation& operation) const;
-  /// Throws CallFailed if the call has no result, or std::domain_error if it is refused.
-  std::vector<S> call(const Operation& operation, std::vector<S> arguments) const;
+  /// Numbers in the scalar, without those of the frame. Throws CallFailed if the call has no result, or std::domain_error if
+  /// it is refused.
+  void call(const Operation& operation, const void* arguments, void* results) const;
   const std::string& text() const { return text_; }
-  const std::vector<S>& frame() const { return frame_; }
-  int nq() const { return nq_; }
-  int nv() const { return nv_; }
+  ModelSize size() const { return size_; }
+  /// What follows the arguments of an operation on a frame.
+  const std::vector<double>& frame() const { return frame_; }
 
  private:
   std::string text_;
-  int nq_, nv_;
-  std::vector<S> frame_;
+  ModelSize size_;
+  const Scalar& scalar_;
+  std::vector<double> frame_;
   std::string unsupported_;  ///< a joint that the adapter does not take, or ""
   Route route_;
 };
 
-/// Appends the number or numbers of an argument.
-template <class S, class T>
-void append(std::vector<S>& to, const T& x) {
-  if constexpr (requires { x.size(); })
-    to.insert(to.end(), x.data(), x.data() + x.size());
-  else
-    to.push_back(static_cast<S>(static_cast<int>(x)));
-}
-
-/// The operations that the adapter offers on a tree; none if it takes no such model.
-template <class S>
-TreeOperations<S> tree_operations(const Tree<S>& tree, const Description& adapter, const Route& route);
-
-/// The operations on the configurations of a robot. May be called if offers_robots().
-template <class S>
-RobotOperations<S> robot_operations(const std::string& urdf, bool fixed, const Route& route);
+/// Fills the operations that the adapter offers on a tree; none if it takes no such model.
+void fill_tree(TreeOperations<double>& o, const Tree<double>& tree, const Description& adapter,
+               const Scalar& scalar, const Route& route);
+/// Fills the operations on the configurations of a robot. May be called if offers_robots().
+void fill_robot(RobotOperations<double>& o, const std::string& urdf, bool fixed, const Scalar& scalar,
+                const Route& route);
 
 /// Whether the adapter offers every operation on the configurations of a robot, and takes URDFs.
 bool offers_robots(const Description& adapter, const std::string& scalar);

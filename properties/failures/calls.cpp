@@ -1,32 +1,22 @@
 #include <failures/calls.hpp>
 
-#include <adapters/called.hpp>
 #include <algorithm>
 #include <campaign/series.hpp>
 #include <conventions/reference.hpp>
 #include <invariants/property.hpp>
 #include <invariants/witness.hpp>
+#include <operations/numbers.hpp>
 #include <subjects/hooked.hpp>
 
 namespace liecheck::properties {
 
 namespace {
 
-/// Appends the numbers of a value: matrices row by row.
+/// Appends the numbers of a value. A reference has none.
 template <class T>
 void append_numbers(std::vector<double>& to, const T& value) {
-  if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>) {
-    for (Eigen::Index i = 0; i < value.rows(); ++i)
-      for (Eigen::Index j = 0; j < value.cols(); ++j) to.push_back(value(i, j));
-  } else if constexpr (requires { value.I_C; }) {
-    append_numbers(to, value.mass), append_numbers(to, value.c), append_numbers(to, value.I_C);
-  } else if constexpr (requires { value.R; }) {
-    append_numbers(to, value.R), append_numbers(to, value.p);
-  } else if constexpr (requires { value.second; }) {
-    append_numbers(to, value.first), append_numbers(to, value.second);
-  } else if constexpr (!std::is_enum_v<T>) {
-    to.emplace_back(value);
-  }
+  if constexpr (!std::is_enum_v<T>)
+    for_each_number(value, [&to](const auto& number) { to.push_back(static_cast<double>(number)); });
 }
 
 /// The hook of a subject whose calls are noted.
@@ -112,7 +102,7 @@ std::vector<double> result_of(const Series& series, const Operation& operation,
   Operations::for_each([&](const auto& one) {
     if (static_cast<const Operation*>(&one) != &operation || !o[one]) return;
     try {
-      result = adapters::called<double>(o[one], arguments);
+      result = called(o[one], one, arguments.data());
     } catch (const std::exception&) {  // refused
     }
   });

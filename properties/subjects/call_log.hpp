@@ -1,14 +1,12 @@
 #pragma once
 // Checks of a subject's calls that need no oracle. Each call is made twice, with copies of its arguments:
 // both results must have the same bits, and the copies must keep theirs. The memory of a result is filled
-// with another pattern before each call, and the result is constructed in it (guaranteed copy elision). A
-// number that keeps both patterns was not written.
+// with another pattern before each call. A number that keeps both patterns was not written.
 //
-// This last check works for results of fixed size: vectors, matrices, poses and bodies. It cannot see the
-// memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a register,
-// or a result that the subject copies from a variable of its own.
+// A function that returns its result constructs it in that memory if it has a fixed size (typed.cpp). The last check
+// cannot see the memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a
+// register, or a result that the subject copies from a variable of its own.
 
-#include <memory>
 #include <operations/description.hpp>
 #include <string>
 #include <subjects/outcome.hpp>
@@ -26,9 +24,8 @@ class CallLog {
   };
   struct Noted {
     const Operation* operation;
-    int tree;               ///< which of the trees that the case builds, from 1; 0 if none
-    std::string arguments;  ///< their bits
-    std::shared_ptr<const void> result;
+    int tree;                       ///< which of the trees that the case builds, from 1; 0 if none
+    std::string arguments, result;  ///< their bits
   };
   std::vector<Finding> findings;
   std::vector<Noted> results;

@@ -1,6 +1,6 @@
 
 #include <algorithm>
-#include <memory>
+#include <deque>
 #include <mutex>
 #include <subjects/linked.hpp>
 #include <subjects/other_libraries.hpp>
@@ -10,57 +10,63 @@ namespace liecheck::properties {
 
 namespace {
 
-/// A subject with its own functions, and as the harness calls it.
+// Pointers to both are given away, so they are deques.
 template <class S>
-struct Entry {
-  TypedSubject<S> typed;
-  Subject subject;
-  explicit Entry(TypedSubject<S> s) : typed(std::move(s)), subject(erased(typed)) {}
-};
-template <class S>
-std::vector<std::unique_ptr<Entry<S>>>& registry() {
-  static std::vector<std::unique_ptr<Entry<S>>> all;
+std::deque<TypedSubject<S>>& own() {
+  static std::deque<TypedSubject<S>> all;
+  return all;
+}
+std::deque<Subject>& registered() {
+  static std::deque<Subject> all;
   return all;
 }
 
-/// All entries. Known bugs copy the subject liecheck, which is registered before main().
 template <class S>
-const std::vector<std::unique_ptr<Entry<S>>>& entries() {
+void add(TypedSubject<S> subject) {
+  registered().push_back(erased(own<S>().emplace_back(std::move(subject))));
+}
+
+/// Adds the subjects that are made from copies of the subject liecheck, which is registered before main().
+template <class S>
+void add_linked() {
+  const auto liecheck = std::ranges::find(own<S>(), "liecheck", &TypedSubject<S>::name);
+  if (liecheck == own<S>().end()) return;
+  const TypedOperations<S> good = liecheck->operations;
+  if (linked_bugs<S>)
+    for (TypedSubject<S>& s : linked_bugs<S>(good)) add(std::move(s));
+  if constexpr (std::is_same_v<S, double>)
+    if (linked_history)
+      for (TypedSubject<S>& s : linked_history(good)) add(std::move(s));
+}
+void complete() {
   static std::once_flag once;
-  std::call_once(once, [] {
-    const auto at = std::ranges::find(registry<S>(), "liecheck", [](const auto& e) { return e->typed.name; });
-    if (at == registry<S>().end()) return;
-    const TypedOperations<S> good = (*at)->typed.operations;
-    const auto add = [](std::vector<TypedSubject<S>> more) {
-      for (TypedSubject<S>& s : more) registry<S>().push_back(std::make_unique<Entry<S>>(std::move(s)));
-    };
-    if (linked_bugs<S>) add(linked_bugs<S>(good));
-    if constexpr (std::is_same_v<S, double>)
-      if (linked_history) add(linked_history(good));
-  });
-  return registry<S>();
+  std::call_once(once, [] { add_linked<float>(), add_linked<double>(); });
 }
 
 }  // namespace
 
 template <class S>
 Registered<S>::Registered(TypedSubject<S> subject) {
-  registry<S>().push_back(std::make_unique<Entry<S>>(std::move(subject)));
+  add(std::move(subject));
+}
+void register_subject(Subject subject) {
+  registered().push_back(std::move(subject));
 }
 
 template <class S>
 std::vector<const TypedSubject<S>*> typed_subjects() {
+  complete();
   std::vector<const TypedSubject<S>*> all;
-  for (const auto& e : entries<S>()) all.push_back(&e->typed);
+  for (const TypedSubject<S>& s : own<S>()) all.push_back(&s);
   std::ranges::sort(all, {}, &TypedSubject<S>::name);
   return all;
 }
 
 std::vector<const Subject*> subjects(const Scalar& scalar) {
+  complete();
   std::vector<const Subject*> all;
-  scalar.with([&]<class S>() {
-    for (const auto& e : entries<S>()) all.push_back(&e->subject);
-  });
+  for (const Subject& s : registered())
+    if (*s.scalar == scalar) all.push_back(&s);
   std::ranges::sort(all, {}, &Subject::name);
   return all;
 }
@@ -76,7 +82,7 @@ bool is_other_library(std::string_view subject) {
 std::vector<std::string> absent_subjects() {
   std::vector<std::string> absent;
   for (const char* name : other_libraries)
-    if (std::ranges::none_of(registry<double>(), [&](const auto& e) { return e->typed.name == name; }))
+    if (std::ranges::find(own<double>(), name, &TypedSubject<double>::name) == own<double>().end())
       absent.push_back(name);
   return absent;
 }

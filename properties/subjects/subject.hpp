@@ -41,4 +41,7 @@ struct Subject {
 /// Every subject in this scalar, in alphabetical order.
 std::vector<const Subject*> subjects(const Scalar& scalar);
 
+/// Adds a subject, such as that of an adapter.
+void register_subject(Subject subject);
+
 }  // namespace liecheck::properties

@@ -41,10 +41,9 @@ struct TypedSubject {
   std::string name;
   std::string version;
   TypedOperations<S> operations;
-  std::string adapter = {};  ///< how the user gave it with --adapter, or "" for one of the program
 };
 
-/// Every subject in this scalar, in alphabetical order.
+/// Every subject of the program in this scalar, in alphabetical order; those of adapters are not among them.
 template <class S>
 std::vector<const TypedSubject<S>*> typed_subjects();
 

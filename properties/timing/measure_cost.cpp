@@ -1,6 +1,7 @@
 #include <timing/cost.hpp>
 
 #include <fmt/format.h>
+#include <adapters/sizes.hpp>
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -32,15 +33,17 @@ void merge_blocks(std::vector<BlockErrors>& all, const std::vector<BlockErrors>&
 
 namespace {
 
-/// The selected subjects; by default those of a campaign and liecheck's variants.
+/// By default the subjects of a campaign and liecheck's variants.
+bool is_selected(const CostPlan& plan, const std::string& subject) {
+  return plan.options.subjects.empty()
+             ? subject.find(':') == std::string::npos || subject.starts_with("liecheck:")
+             : plan.wants(plan.options.subjects, subject);
+}
 template <class S>
 std::vector<const TypedSubject<S>*> subjects_of(const CostPlan& plan) {
   std::vector<const TypedSubject<S>*> all;
   for (const TypedSubject<S>* s : typed_subjects<S>())
-    if (plan.options.subjects.empty()
-            ? s->name.find(':') == std::string::npos || s->name.rfind("liecheck:", 0) == 0
-            : plan.wants(plan.options.subjects, s->name))
-      all.push_back(s);
+    if (is_selected(plan, s->name)) all.push_back(s);
   if constexpr (std::is_same_v<S, double>)
     if (plan.options.flags) {
       static const std::vector<TypedSubject<double>> kernels = load_kernels();
@@ -56,19 +59,39 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
   if (!plan.wants(plan.options.scalars, scalar)) return;
   std::map<std::string, std::shared_ptr<Property>> own_laws;
   for (auto& law : make_properties(oracles::scalar_of<S>)) own_laws.emplace(law->name(), std::move(law));
-  add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()),
-                      subjects_of<S>(plan), plan.options.inputs_per_band, true, laws,
-                      [&](const Operation& operation, const Property& law, const TypedSubject<S>& subject,
-                          const Signature&, AnyFunction) -> Score<S> {
-                        TypedSubject<S> only;
-                        only.operations.take(operation, subject.operations);
-                        return [only = erased(only), &operation,
-                                law = own_laws.at(law.name())](const auto& inputs) {
-                          std::vector<std::vector<double>> numbers;
-                          for (const auto& x : inputs) numbers.push_back(oracles::as_doubles<S>(x));
-                          return score(*law, operation, only, numbers);
-                        };
-                      });
+  const auto score_of = [&](const Operation& operation, const Property& law, Subject only) -> Score<S> {
+    return [only = std::move(only), &operation, law = own_laws.at(law.name())](const auto& inputs) {
+      std::vector<std::vector<double>> numbers;
+      for (const auto& x : inputs) numbers.push_back(oracles::as_doubles<S>(x));
+      return score(*law, operation, only, numbers);
+    };
+  };
+  // Foreign code is loaded only where it is timed, in a process of its own.
+  const auto add_adapters = [&](const Operation& operation, const Property& law,
+                                std::vector<Offered<S>>& offered) {
+    for (const Subject* s : subjects(oracles::scalar_of<S>)) {
+      if (s->adapter.empty() || !is_selected(plan, s->name) || !s->operations.has(operation)) continue;
+      const std::string name(operation.name);
+      const adapters::OperationSizes& sizes = *adapters::sizes_of(name);
+      Subject only{s->name, s->version, s->adapter, s->scalar};
+      only.operations.take(operation, s->operations);
+      offered.push_back(
+          {s->name, s->version, direct_signature<S>(sizes.inputs),
+           plan.scored ? nullptr : plan.direct(s->adapter, name, scalar, sizes),
+           score_of(operation, law, std::move(only)),
+           conventions::rearranged(operation, adapters::description_of(s->adapter)->conventions).arguments});
+    }
+  };
+  add_cost_rows<S, S>(
+      plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()), subjects_of<S>(plan),
+      plan.options.inputs_per_band, true, laws,
+      [&](const Operation& operation, const Property& law, const TypedSubject<S>& subject, const Signature&,
+          AnyFunction) -> Score<S> {
+        TypedSubject<S> only;
+        only.operations.take(operation, subject.operations);
+        return score_of(operation, law, erased(only));
+      },
+      add_adapters);
 }
 
 void check_known(const std::vector<std::string>& given, const std::vector<std::string>& known,
@@ -103,8 +126,8 @@ std::vector<std::string> cost_operations() {
 
 std::vector<std::string> cost_subjects() {
   std::set<std::string> names;
-  for (const auto* s : typed_subjects<float>()) names.insert(s->name);
-  for (const auto* s : typed_subjects<double>()) names.insert(s->name);
+  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    for (const Subject* s : subjects(*scalar)) names.insert(s->name);
   return {names.begin(), names.end()};
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // The rows of one scalar: every operation of every subject, with its errors, ready to be timed.
 
-#include <adapters/sizes.hpp>
 #include <adapters/subjects.hpp>
 #include <algorithm>
 #include <array>
@@ -140,11 +139,12 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
 
 /// Adds the rows of every operation that a subject offers and a law measures. Inputs are drawn in the scalar
 /// Input; S represents each of them exactly. score(operation, law, subject, signature, function) returns the
-/// Score of a function.
-template <class S, class Input, class MakeScore>
+/// Score of a function. add_more(operation, law, offered) may append what other subjects offer.
+template <class S, class Input, class MakeScore, class AddMore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
                    const std::vector<const TypedSubject<S>*>& subjects, std::size_t each, bool bands,
-                   const std::vector<std::unique_ptr<Property>>& laws, const MakeScore& score) {
+                   const std::vector<std::unique_ptr<Property>>& laws, const MakeScore& score,
+                   const AddMore& add_more) {
   const auto add = [&](const Operation& operation, const Signature& signature,
                        const std::vector<AnyFunction>& functions) {
     const Property* law = law_of(operation, laws);
@@ -155,23 +155,13 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
       if (const AnyFunction f = functions[i]) {
         const TypedSubject<S>& subject = *subjects[i];
         Signature own = signature;
-        AnyFunction timed = f;
-        conventions::Order order;
-        if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>) {
+        if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>)
           if (subject.name == batch_subject) own = batch_signature<S>(operation);
-          if (!subject.adapter.empty()) {
-            const adapters::OperationSizes& sizes = *adapters::sizes_of(name);
-            own = direct_signature<S>(sizes.inputs);
-            order = conventions::rearranged(operation, adapters::description_of(subject.adapter)->conventions)
-                        .arguments;
-            // Foreign code is loaded only where it is timed, in a process of its own.
-            if (!plan.scored) timed = plan.direct(subject.adapter, name, scalar, sizes);
-          }
-        }
         if (own.arguments)
-          offered.push_back({subject.name, subject.version, own, timed,
-                             score(operation, *law, subject, signature, f), order});
+          offered.push_back(
+              {subject.name, subject.version, own, f, score(operation, *law, subject, signature, f)});
       }
+    add_more(operation, *law, offered);
     if (offered.empty()) return;
     offered.push_back({"call", "", signature, signature.call_only, nullptr});
     const CostRow common{"", "", scalar, name, eps, {}};

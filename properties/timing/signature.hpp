@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <operations/values.hpp>
+#include <operations/numbers.hpp>
 #include <oracles/number.hpp>
 #include <tuple>
 #include <vector>
@@ -55,19 +55,6 @@ void for_each_part(Value& v, auto visit) {
   else
     visit(v);
 }
-/// Calls visit(number) for each number of a value; matrices row by row.
-template <class Value>
-void for_each_number(Value& value, auto visit) {
-  for_each_part(value, [&](auto& part) {
-    if constexpr (requires { part.rows(); }) {
-      for (int i = 0; i < part.rows(); ++i)
-        for (int j = 0; j < part.cols(); ++j) visit(part(i, j));
-    } else {
-      visit(part);
-    }
-  });
-}
-
 /// Returns 0; the compiler cannot know this value.
 inline std::size_t opaque_zero() {
   volatile std::size_t zero = 0;

@@ -1,40 +1,24 @@
 #include "altered_libraries.hpp"
 
 #include <Eigen/Geometry>
-#include <adapters/shapes.hpp>
 #include <algorithm>
 #include <numbers>
+#include <operations/numbers.hpp>
 #include <subjects/typed.hpp>
 
 namespace liecheck::properties::conventions {
 namespace {
 
-using Function = std::function<Numbers(const Numbers&)>;
-using adapters::Shape;
-
-template <class S, class R, class... A>
-Function flat(R (*function)(A...)) {
-  return [function](const Numbers& numbers) {
-    std::vector<S> x(numbers.begin(), numbers.end());
-    const S* at = x.data();
-    const auto next = [&]<class T>(T*) {
-      const T value = Shape<T>::get(at);
-      at += Shape<T>::size;
-      return value;
-    };
-    const std::tuple<std::remove_cvref_t<A>...> arguments{
-        next(static_cast<std::remove_cvref_t<A>*>(nullptr))...};
-    std::vector<S> result(Shape<R>::size);
-    Shape<R>::put(std::apply(function, arguments), result.data());
-    return Numbers(result.begin(), result.end());
-  };
-}
-
 template <class S, const auto&... all>
 Library of_slots(const Slots<S, all...>& slots) {
   Library l;
   const auto one = [&](const auto& operation) {
-    if (slots[operation]) l[std::string(operation.name)] = flat<S>(slots[operation]);
+    if (slots[operation])
+      l[std::string(operation.name)] = [f = slots[operation], &operation](const Numbers& numbers) {
+        const std::vector<S> x(numbers.begin(), numbers.end());
+        const std::vector<S> result = called(f, operation, x.data());
+        return Numbers(result.begin(), result.end());
+      };
   };
   (one(all), ...);
   return l;

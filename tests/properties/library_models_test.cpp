@@ -16,6 +16,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "asked.hpp"
+
 namespace liecheck::properties::adapters {
 namespace {
 
@@ -68,12 +70,12 @@ TEST(LibraryModels, TheListOfOperationsOnModelsHasTheirSizes) {
     tree.joints.emplace_back();
     tree.joints[0].kind = kind, tree.joints[0].parent = tree.joints[0].primary = -1;
     tree.index();
-    const Model<double> model(tree, Description{}, nullptr);
+    const Model model(tree, Description{}, oracles::scalar_of<double>, nullptr);
     const auto compare = [&](const char* name, adapter::ModelSize in, adapter::ModelSize out) {
       const Operation* const o = model_operation(name);
       ASSERT_TRUE(o) << name;
       const OperationSizes sizes = model.sizes(*o);
-      const auto nq = std::size_t(model.nq()), nv = std::size_t(model.nv());
+      const auto nq = std::size_t(model.size().nq), nv = std::size_t(model.size().nv);
       EXPECT_EQ(in.of(nq, nv), sizes.inputs) << name;
       EXPECT_EQ(out.of(nq, nv), sizes.results) << name;
       listed.insert(name);
@@ -88,7 +90,7 @@ TEST(LibraryModels, TheListOfOperationsOnModelsHasTheirSizes) {
 
 TEST(LibraryModels, AModelIsFlatAsItIsWritten) {
   const UrdfModel robot = pendulum(false);
-  const Model<double> of_urdf(robot, nullptr);
+  const Model of_urdf(robot, oracles::scalar_of<double>, nullptr);
   const FlatModel urdf(of_urdf.text());
   EXPECT_EQ(urdf.model().urdf, robot.text);
   EXPECT_EQ(urdf.model().fixed, 0);
@@ -105,7 +107,7 @@ TEST(LibraryModels, AModelIsFlatAsItIsWritten) {
   j.kind = oracles::JointKind::revolute, j.parent = 0, j.primary = 0, j.multiplier = -2, j.offset = 0.25;
   tree.joints.push_back(j);
   tree.gravity = {{0, 0, -9}}, tree.index();
-  const Model<double> of_tree(tree, Description{}, nullptr);
+  const Model of_tree(tree, Description{}, oracles::scalar_of<double>, nullptr);
   const FlatModel list(of_tree.text());
   const liecheck_model& m = list.model();
   ASSERT_EQ(m.joint_count, 2u);
@@ -170,9 +172,9 @@ TEST(LibraryModels, ARefusedModelIsSaidInWords) {
   const auto adapter = linked(liecheck_subject(static_cast<const Refusing*>(nullptr)));
   EXPECT_EQ(adapter->description().models, (std::set<std::string>{"urdf"}));
   const UrdfModel robot = pendulum(true);
-  const Model<double> model(robot, [&]() -> Adapter& { return *adapter; });
+  const Model model(robot, oracles::scalar_of<double>, [&]() -> Adapter& { return *adapter; });
   try {
-    model.call(op::tree_crba, {0.1});
+    asked(model, op::tree_crba, {0.1});
     FAIL() << "it is not refused";
   } catch (const std::domain_error& e) {
     EXPECT_EQ(e.what(), std::string("the input is refused: the model is refused: no arms"));
@@ -182,7 +184,7 @@ TEST(LibraryModels, ARefusedModelIsSaidInWords) {
 TEST(LibraryModels, AnotherExceptionIsARefusalAndAnUnwrittenResultIsNone) {
   const auto adapter = linked(liecheck_subject(static_cast<const Odd*>(nullptr)));
   const auto call = [&](const UrdfModel& robot, std::vector<double> q) {
-    Model<double>(robot, [&]() -> Adapter& { return *adapter; }).call(op::tree_crba, std::move(q));
+    asked(Model(robot, oracles::scalar_of<double>, [&]() -> Adapter& { return *adapter; }), op::tree_crba, q);
   };
   EXPECT_THROW(call(pendulum(true), {0.1}), std::domain_error);
   try {

@@ -16,6 +16,7 @@
 #include <subjects/typed.hpp>
 
 #include "../scratch.hpp"
+#include "asked.hpp"
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -62,11 +63,13 @@ CampaignResult campaign(const std::string& subject, const std::vector<std::strin
 std::map<std::string, Row> rows_of(const std::string& command, const char* law, std::uint64_t cases,
                                    const Robot& robot, double timeout_s = 5) {
   const std::shared_ptr<Adapter> adapter = start_process(command, timeout_s);
-  TypedSubject<double> subject{adapter->description().name, "1", {}, command};
-  subject.operations.tree = [adapter](const Tree<double>& tree) {
-    return tree_operations(tree, adapter->description(), [adapter]() -> Adapter& { return *adapter; });
+  Subject tested{adapter->description().name, "1", command, &oracles::scalar_of<double>};
+  tested.operations.tree = [adapter](const Tree<double>& tree) {
+    TreeOperations<double> o;
+    fill_tree(o, tree, adapter->description(), oracles::scalar_of<double>,
+              [adapter]() -> Adapter& { return *adapter; });
+    return o;
   };
-  const Subject tested = erased(subject);
   const auto series = series_of(law, tested, robot);
   Tally tally;
   for (std::uint64_t i = 0; i < cases; ++i) series->run(42, i, tally);
@@ -222,11 +225,11 @@ TEST(TreeAdapters, AFaultOfTheUrdfReaderIsNoneOfRandomTrees) {
 std::string failure_of(const std::string& command, double timeout_s) {
   const auto adapter = start_process(command, timeout_s);
   const auto urdf = urdf_model(two_joints, true);
-  const adapters::Model<double> model(*urdf, [&]() -> Adapter& { return *adapter; });
+  const adapters::Model model(*urdf, oracles::scalar_of<double>, [&]() -> Adapter& { return *adapter; });
   try {
-    const auto M = model.call(op::tree_crba, {0.1, 0.2});
+    const auto M = asked(model, op::tree_crba, {0.1, 0.2});
     EXPECT_EQ(M.size(), 4u);
-    EXPECT_EQ(model.call(op::tree_crba, {0.1, 0.2}), M);
+    EXPECT_EQ(asked(model, op::tree_crba, {0.1, 0.2}), M);
   } catch (const CallFailed& e) {
     EXPECT_EQ(e.outcome, Outcome::crashed);
     return e.what();
@@ -268,10 +271,11 @@ TEST(TreeAdapters, AnAdapterThatIsStartedAgainGetsItsModelAgain) {
       altered("ends", "adapter.py",
               "results[i] = ", "sys.exit(4) if x[0] == 7 else None\n                results[i] = "),
       5);
-  const adapters::Model<double> model(*urdf_model(two_joints, true), [&]() -> Adapter& { return *adapter; });
-  const auto M = model.call(op::tree_crba, {0.1, 0.2});
-  EXPECT_THROW(model.call(op::tree_crba, {7, 0.2}), CallFailed);
-  EXPECT_EQ(model.call(op::tree_crba, {0.1, 0.2}), M);
+  const adapters::Model model(*urdf_model(two_joints, true), oracles::scalar_of<double>,
+                              [&]() -> Adapter& { return *adapter; });
+  const auto M = asked(model, op::tree_crba, {0.1, 0.2});
+  EXPECT_THROW(asked(model, op::tree_crba, {7, 0.2}), CallFailed);
+  EXPECT_EQ(asked(model, op::tree_crba, {0.1, 0.2}), M);
 }
 
 TEST(TreeAdapters, WhatIsNotOfferedHasNoRow) {

@@ -7,6 +7,7 @@
 #include <campaign/selection.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <operations/numbers.hpp>
 #include <sstream>
 #include <subjects/typed.hpp>
 
@@ -25,6 +26,8 @@ Tree<double> pendulum() {
   tree.index();
   return tree;
 }
+const Scalar& in_double = oracles::scalar_of<double>;
+
 Adapter& nobody() {
   throw AdapterFailed("the adapter was called");
 }
@@ -32,7 +35,7 @@ Adapter& nobody() {
 TEST(TreeModels, AreSentAsTheDocumentationSays) {
   std::ostringstream page;
   page << std::ifstream(LIECHECK_FIXTURES "/../docs/tree_adapters.md").rdbuf();
-  const adapters::Model<double> model(pendulum(), {}, nobody);
+  const adapters::Model model(pendulum(), {}, in_double, nobody);
   EXPECT_NE(page.str().find("\n    model " + model.text() + "\n"), std::string::npos) << model.text();
   for (const std::string& name : joint_names())
     EXPECT_NE(page.str().find('`' + name + '`'), std::string::npos) << name;
@@ -41,13 +44,13 @@ TEST(TreeModels, AreSentAsTheDocumentationSays) {
 TEST(TreeModels, OfAUrdfAreItsTextIfTheAdapterTakesIt) {
   Tree<double> tree = pendulum();
   tree.urdf = std::make_shared<UrdfModel>(UrdfModel{"<robot/>", true, {"hinge"}, 1, 1});
-  const std::string joints = adapters::Model<double>(pendulum(), {}, nobody).text();
-  EXPECT_EQ(adapters::Model<double>(tree, {}, nobody).text(), joints);
+  const std::string joints = adapters::Model(pendulum(), {}, in_double, nobody).text();
+  EXPECT_EQ(adapters::Model(tree, {}, in_double, nobody).text(), joints);
   Description reader;
   reader.models = {"urdf", "joints"};
-  EXPECT_EQ(adapters::Model<double>(pendulum(), reader, nobody).text(), joints);
+  EXPECT_EQ(adapters::Model(pendulum(), reader, in_double, nobody).text(), joints);
   EXPECT_EQ(
-      adapters::Model<double>(tree, reader, nobody).text(),
+      adapters::Model(tree, reader, in_double, nobody).text(),
       R"({"gravity":[0.0,0.0,-9.81],"nq":1,"nv":1,"order":["hinge"],"root":"fixed","urdf":"<robot/>"})");
 }
 
@@ -59,8 +62,10 @@ TEST(TreeModels, OfOtherJointsAreNotSent) {
   for (const auto& [takes, outcome] : cases) {
     Description adapter;
     adapter.joints = takes;
+    const double q = 0;
+    double result;
     try {
-      adapters::Model<double>(pendulum(), adapter, nobody).call(op::tree_crba, {0});
+      adapters::Model(pendulum(), adapter, in_double, nobody).call(op::tree_crba, &q, &result);
       ADD_FAILURE();
     } catch (const CallFailed& e) {
       EXPECT_EQ(e.outcome, outcome) << e.what();
@@ -72,7 +77,7 @@ TEST(TreeModels, DetermineTheNumbersOfACall) {
   Tree<double> tree = pendulum();
   tree.joints[0].kind = oracles::JointKind::free_flyer;
   tree.index();
-  const adapters::Model<double> model(tree, {}, nobody);
+  const adapters::Model model(tree, {}, in_double, nobody);
   const std::tuple<const Operation&, std::size_t, std::size_t> cases[] = {
       {op::frame_velocity, 22, 6},         {op::frame_pose, 7 + 8, 12},
       {op::tree_rnea, 7 + 6 + 6 + 7, 6},   {op::tree_crba, 7, 36},
@@ -103,20 +108,12 @@ class OwnRobots final : public Adapter {
     const auto order = urdf_model(urdf, model["root"] == "fixed");
     EXPECT_EQ(model["order"], nlohmann::json(order->joints));
     const auto o = own_->operations.robot(urdf, order->fixed);
-    const auto* x = reinterpret_cast<const double*>(b.inputs.data());
-    const int second = static_cast<int>(b.operation.inputs) - order->nq;
-    const VecX<double> q0 = Eigen::Map<const VecX<double>>(x, order->nq),
-                       other = Eigen::Map<const VecX<double>>(x + order->nq, second);
-    auto* to = reinterpret_cast<double*>(b.results.data());
-    const auto give = [&](const auto& slot, const auto& name) {
-      if (b.operation.operation != name.name) return;
-      if constexpr (std::is_same_v<decltype(slot(q0, other)), bool>) {
-        *to = slot(q0, other);
-      } else {
-        const MatX<double> result = slot(q0, other);
-        EXPECT_EQ(static_cast<std::size_t>(result.size()), b.operation.results);
-        Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(to, result.rows(), result.cols()) = result;
-      }
+    const auto give = [&](const auto& slot, const auto& operation) {
+      if (b.operation.operation != operation.name) return;
+      const auto numbers =
+          called(slot, operation, reinterpret_cast<const double*>(b.inputs.data()), {order->nq, order->nv});
+      EXPECT_EQ(numbers.size(), b.operation.results);
+      std::ranges::copy(numbers, reinterpret_cast<double*>(b.results.data()));
     };
     const auto& arg0 = o[op::robot_d_integrate_arg0];
     give(o[op::robot_integrate], op::robot_integrate), give(o[op::robot_difference], op::robot_difference);
@@ -137,11 +134,12 @@ OwnRobots& own_robots() {
 }
 
 TEST(RobotModels, TakeTheOperationsOnConfigurationsOverTheWire) {
-  TypedSubject<double> subject{"own_robots", "1", {}};
-  subject.operations.robot = [](const std::string& urdf, bool fixed) {
-    return robot_operations<double>(urdf, fixed, []() -> Adapter& { return own_robots(); });
+  Subject tested{"own_robots", "1", "", &in_double};
+  tested.operations.robot = [](const std::string& urdf, bool fixed) {
+    RobotOperations<double> o;
+    fill_robot(o, urdf, fixed, in_double, []() -> Adapter& { return own_robots(); });
+    return o;
   };
-  const Subject tested = erased(subject);
   EXPECT_TRUE(offers_robots(own_robots().description(), "double"));
   EXPECT_FALSE(offers_robots(own_robots().description(), "float"));
   for (const bool fault : {false, true}) {
