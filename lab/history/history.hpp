@@ -2,7 +2,7 @@
 // Bugs that somebody reported against a real library: the faulty formula, written anew from what the report
 // says, and beside it the repaired form. `history:NAME` offers the faulty form and `history:NAME:fixed` the
 // repaired one, each only for the operation of the report. `--subject all` selects none of them.
-// docs/history.md says how to read the table that `liecheck lab history` prints.
+// docs/laboratory.md says how to read the table that `liecheck lab history` prints.
 //
 // A file of this folder adds rows with a static HistoryRows. No other file needs a change.
 

@@ -1,5 +1,5 @@
 #pragma once
-// The league: libraries side by side. Its record is JSON; docs/league.md has the fields.
+// The league: libraries side by side. Its record is JSON; docs/laboratory.md has the fields.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

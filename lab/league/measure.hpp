@@ -8,7 +8,7 @@
 namespace liecheck::properties::league {
 
 /// Registers the adapter and runs every law that it offers the operations of, judged by the profile `careful`. Returns
-/// its name, its version and a list of cells, one for each operation and scalar: docs/league.md. Throws
+/// its name, its version and a list of cells, one for each operation and scalar: docs/laboratory.md. Throws
 /// std::invalid_argument if the adapter does not start.
 nlohmann::json measure(const std::string& adapter, const MeasureOptions& options);
 

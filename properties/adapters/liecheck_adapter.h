@@ -32,7 +32,7 @@ typedef void (*liecheck_function)(size_t n, const void* inputs, void* results, u
 typedef void (*liecheck_call)(void* context, size_t n, const void* inputs, void* results,
                               unsigned char* status);
 
-/* A tree of bodies or a robot. docs/tree_adapters.md defines each member. */
+/* A tree of bodies or a robot. docs/adapters.md defines each member. */
 struct liecheck_joint {
   const char* kind;          /* "revolute", "continuous", ... */
   int parent;                /* an earlier joint, or -1 for the world */
@@ -83,7 +83,7 @@ struct liecheck_adapter {
    * numbers) and "check_rotation" (9), which have no result and refuse what the library's operations do not accept. */
   liecheck_call (*find_call)(void* context, const char* operation, const char* scalar);
 
-  /* Trees and robots: docs/tree_adapters.md. */
+  /* Trees and robots: docs/adapters.md. */
   const char* models; /* "joints", "urdf" or "joints, urdf": those that open_model takes */
   const char* joints; /* "revolute, prismatic": the kinds of joints that it takes; NULL for all */
   /* A handle for the model, or NULL if it is refused; reason() says why. `model` is valid during the call only. */

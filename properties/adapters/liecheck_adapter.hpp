@@ -16,7 +16,7 @@
 //     static const char* source(std::string_view operation);                          // see liecheck_get_source()
 //     static void check_quaternion(std::span<const double, 4> Q);  // throws for what its operations do not accept
 //     static void check_rotation(std::span<const double, 9> R);
-// and a struct Model, whose functions are operations on a tree of bodies or a robot (docs/tree_adapters.md). Those that it has
+// and a struct Model, whose functions are operations on a tree of bodies or a robot (docs/adapters.md). Those that it has
 // are offered:
 //     struct Model {
 //       explicit Model(const liecheck_model& model);         // throws std::exception for a model that is refused

@@ -31,7 +31,7 @@ using CellKey = std::pair<std::string, std::string>;  ///< operation, scalar
 /// Names the cell of an operation in a scalar, or gives nothing if it does not count.
 using CellOf = std::function<std::optional<CellKey>(const std::string& operation, const std::string& scalar)>;
 
-/// The cells in the order of their names, with the fields of docs/league.md; the time "ns" is 0.
+/// The cells in the order of their names, with the fields of docs/laboratory.md; the time "ns" is 0.
 std::vector<nlohmann::json> cells_of(const CampaignResult& result, const CellOf& key_of);
 
 /// One telling of a robot and its cell, whose operation is told_NAME: all operations on trees that the subject offers.

@@ -218,7 +218,7 @@ TEST(PageCommands, PartsOfProgramsCompile) {
               block("docs/adapters.md", adapter) + batch +
                   "using namespace liecheck;\nbatch::Rows<double, 6> f(int n, batch::Rows<double, 7> q0, "
                   "batch::Rows<double, 6> result) {\n" +
-                  replaced(block("docs/batches.md", batch), batch, "") + "return result; }\n");
+                  replaced(block("docs/library.md", batch), batch, "") + "return result; }\n");
   EXPECT_EQ(clone.run(".", "g++ -fsyntax-only -I . -I properties/adapters parts.cpp"),
             std::pair(0, std::string()));
 }

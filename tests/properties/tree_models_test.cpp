@@ -1,4 +1,4 @@
-// What the process protocol sends of a tree of bodies or a robot: docs/tree_adapters.md.
+// What the process protocol sends of a tree of bodies or a robot: docs/adapters.md.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Adapter& nobody() {
 
 TEST(TreeModels, AreSentAsTheDocumentationSays) {
   std::ostringstream page;
-  page << std::ifstream(LIECHECK_FIXTURES "/../docs/tree_adapters.md").rdbuf();
+  page << std::ifstream(LIECHECK_FIXTURES "/../docs/adapters.md").rdbuf();
   const adapters::Model model(pendulum(), {}, in_double, nobody);
   EXPECT_NE(page.str().find("\n    model " + model.text() + "\n"), std::string::npos) << model.text();
   for (const std::string& name : joint_names())
