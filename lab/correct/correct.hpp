@@ -11,6 +11,10 @@
 
 namespace liecheck::properties::correct {
 
+/// Q0* Q1 / |Q0* Q1|. Products of stored numbers are exact in 113 bits, so that rotations that are nearly equal
+/// keep their digits although the norms differ.
+Vec<float128, 4> relative_any_norm(const Vec<double, 4>& Q0, const Vec<double, 4>& Q1);
+
 /// The operations of a style in the scalar S. The style computes in its own precision W; results are rounded
 /// once at the end.
 template <class S, class Style>
@@ -186,18 +190,10 @@ struct Correct : Types<S> {
   static V7 integrate_any_norm(const V7& q, const V6& delta) {
     return integrate((V7() << q.template head<3>(), normalize(q.template tail<4>())).finished(), delta);
   }
-  /// Q0* Q1 / |Q0* Q1|. Products of stored numbers are exact in 113 bits, so that rotations that are nearly equal
-  /// keep their digits although the norms differ.
   static X6 between_any_norm(const V7& q0, const V7& q1) {
-    const Vec<float128, 4> a = q0.template tail<4>().template cast<float128>(),
-                           b = q1.template tail<4>().template cast<float128>();
-    Vec<float128, 4> turn(0, 0, 0, a.dot(b));
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      turn[i] = (a[3] * b[i] - b[3] * a[i]) - (a[j] * b[k] - a[k] * b[j]);
-    }
-    turn /= turn.norm();
-    return between(q0, q1, unit(q0.template tail<4>()), turn.template cast<W>());
+    const V4 Q0 = q0.template tail<4>(), Q1 = q1.template tail<4>();
+    return between(q0, q1, unit(Q0),
+                   relative_any_norm(Q0.template cast<double>(), Q1.template cast<double>()).template cast<W>());
   }
   static V6 difference_any_norm(const V7& q0, const V7& q1) { return narrow(between_any_norm(q0, q1)); }
   static M6 d_difference_any_norm(const V7& q0, const V7& q1) {
@@ -354,12 +350,11 @@ struct Correct : Types<S> {
   }
 };
 
-/// Registers every style in S. Wide is a type with more digits.
-template <class S, class Wide>
+/// Registers every style in S but that of correct_wide_*.cpp.
+template <class S>
 struct RegisteredStyles {
-  Registered<S> all[8] = {
+  Registered<S> all[7] = {
       Registered<S>(Correct<S, Quaternions<S>>::make("quaternions", "unit quaternions, half angles")),
-      Registered<S>(Correct<S, Quaternions<Wide>>::make("wide", "quaternions in more digits")),
       Registered<S>(Correct<S, Matrices<S>>::make("matrices", "3 x 3 and 6 x 6 matrices")),
       Registered<S>(Correct<S, DualQuaternions<S>>::make("dual_quaternions", "unit dual quaternions")),
       Registered<S>(Correct<S, Books<S>>::make("books", "closed forms with series near 0")),

@@ -3,7 +3,7 @@
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<double, long double> in_double;
+const RegisteredStyles<double> in_double;
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -3,7 +3,7 @@
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<float, double> in_float;
+const RegisteredStyles<float> in_float;
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -15,6 +15,7 @@ namespace liecheck::properties::correct {
 template <class S>
 class DenseTree : TreeParts<S> {
  public:
+  static constexpr const char *name = "correct:lagrange", *version = "dense Jacobians in body axes";
   using B = TreeParts<S>;
   using typename B::D, typename B::M, typename B::M3, typename B::M6, typename B::V3, typename B::V6,
       typename B::X;

@@ -2,7 +2,10 @@
 #include <correct/correct_trees.hpp>
 
 namespace liecheck::properties::correct {
+namespace {
 
-const RegisteredTree<NewtonTree> registered_newton{"correct:newton", "recursion in the axes of each body"};
+const RegisteredTree<NewtonTree, float> in_float;
+const RegisteredTree<NewtonTree, double> in_double;
 
+}  // namespace
 }  // namespace liecheck::properties::correct

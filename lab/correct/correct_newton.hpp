@@ -16,6 +16,7 @@ namespace liecheck::properties::correct {
 template <class S>
 class NewtonTree : TreeParts<S> {
  public:
+  static constexpr const char *name = "correct:newton", *version = "recursion in the axes of each body";
   using B = TreeParts<S>;
   using typename B::D, typename B::M, typename B::M3, typename B::V3, typename B::V6, typename B::X;
 

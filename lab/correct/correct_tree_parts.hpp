@@ -1,12 +1,10 @@
 #pragma once
 // What the correct implementations of trees share: dual numbers, the joints and bodies of a tree, and the
-// operations that solve with the mass matrix.
+// operations that solve with the mass matrix. What is longer stands in the .cpp, once for all of them.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <subjects/tree.hpp>
 #include <type_traits>
 #include <vector>
@@ -87,16 +85,10 @@ class TreeParts {
   using D = Dual<S>;
 
  protected:
-  explicit TreeParts(const Tree<S>& tree) : tree_(tree), gravity_(vector(tree.gravity)) {
-    for (const auto& j : tree.joints) columns_.push_back((j.primary < 0 ? S(1) : j.multiplier) * subspace(j));
-    armature_ = X::Zero(tree.nv);
-    oracles::for_each_armature(tree, [&](std::size_t k, const S& a) { armature_[static_cast<int>(k)] = a; });
-  }
+  explicit TreeParts(const Tree<S>& tree);
 
   static V3 vector(const oracles::Vec3<S>& v) { return {v[0], v[1], v[2]}; }
-  static M3 rotation(const oracles::Quaternion<S>& Q) {
-    return Eigen::Quaternion<S>(Q[3], Q[0], Q[1], Q[2]).normalized().toRotationMatrix();
-  }
+  static M3 rotation(const oracles::Quaternion<S>& Q);
   static M3 inertia(const oracles::BodyOf<S>& b) {
     M3 I;
     for (int i = 0; i < 3; ++i)
@@ -104,77 +96,9 @@ class TreeParts {
     return I;
   }
   /// The constant columns of a joint's motion, in the axes of its body.
-  static Columns<S> subspace(const oracles::JointOf<S>& j) {
-    using oracles::JointKind;
-    const M6 I = M6::Identity();
-    const V3 axis = vector(j.axis).normalized(), none = V3::Zero();
-    switch (j.kind) {
-      case JointKind::revolute:
-      case JointKind::continuous:
-        return joined<S>(none, axis);
-      case JointKind::prismatic:
-        return joined<S>(axis, none);
-      case JointKind::helical:
-        return joined<S>(j.pitch * axis, axis);
-      case JointKind::spherical:
-        return I.template rightCols<3>();
-      case JointKind::translation:
-        return I.template leftCols<3>();
-      case JointKind::planar:
-        return (Columns<S>(6, 3) << I.col(0), I.col(1), I.col(5)).finished();
-      default:
-        return I;
-    }
-  }
+  static Columns<S> subspace(const oracles::JointOf<S>& j);
   /// The pose of joint i in its parent's axes.
-  Pose<S> local(std::size_t i, const X& q) const {
-    using oracles::JointKind;
-    const auto& j = tree_.joints[i];
-    const int k = tree_.idx_q[i];
-    const V3 axis = vector(j.axis).normalized();
-    S y = q[k];
-    if (j.primary >= 0) {
-      if (tree_.joints[static_cast<std::size_t>(j.primary)].kind == JointKind::continuous)
-        y = std::atan2(q[k + 1], q[k]);
-      y = j.multiplier * y + j.offset;
-    }
-    M3 R = M3::Identity();
-    V3 p = V3::Zero();
-    const auto turned = [](S c, S s, const V3& n) -> M3 {
-      return Eigen::Quaternion<S>(Eigen::AngleAxis<S>(std::atan2(s, c), n)).toRotationMatrix();
-    };
-    const auto quaternion = [&](int first) -> M3 {
-      return Eigen::Quaternion<S>(Vec<S, 4>(q.template segment<4>(first))).normalized().toRotationMatrix();
-    };
-    switch (j.kind) {
-      case JointKind::helical:
-        p = j.pitch * y * axis;
-        [[fallthrough]];
-      case JointKind::revolute:
-        R = Eigen::AngleAxis<S>(y, axis).toRotationMatrix();
-        break;
-      case JointKind::continuous:
-        R = turned(q[k], q[k + 1], axis);
-        break;
-      case JointKind::prismatic:
-        p = y * axis;
-        break;
-      case JointKind::spherical:
-        R = quaternion(k);
-        break;
-      case JointKind::planar:
-        p << q[k], q[k + 1], S(0);
-        R = turned(q[k + 2], q[k + 3], V3::UnitZ());
-        break;
-      case JointKind::translation:
-        p = q.template segment<3>(k);
-        break;
-      default:
-        p = q.template segment<3>(k), R = quaternion(k + 3);
-    }
-    const M3 placed = rotation(j.Q);
-    return {placed * R, vector(j.p) + placed * p};
-  }
+  Pose<S> local(std::size_t i, const X& q) const;
 
   /// local(), displaced along the coordinates `moved` if T is a dual number.
   template <class T>
@@ -217,18 +141,7 @@ class TreeParts {
     M3 I;  ///< at the centre of mass
   };
   /// All bodies, each with its inertia at its centre of mass.
-  std::vector<Centred> bodies() const {
-    std::vector<Centred> all;
-    for (std::size_t i = 0; i < tree_.joints.size(); ++i)
-      all.push_back(
-          {i, tree_.joints[i].body.mass, vector(tree_.joints[i].body.c), inertia(tree_.joints[i].body)});
-    for (const auto& b : tree_.fixed) {
-      const M3 R = rotation(b.Q);
-      all.push_back({static_cast<std::size_t>(b.joint), b.body.mass, R * vector(b.body.c) + vector(b.p),
-                     R * inertia(b.body) * R.transpose()});
-    }
-    return all;
-  }
+  std::vector<Centred> bodies() const;
   std::size_t joint() const { return static_cast<std::size_t>(tree_.frame_joint); }
 
   Tree<S> tree_;
@@ -240,11 +153,15 @@ class TreeParts {
 /// The factor of a mass matrix. Throws std::domain_error if M is not positive definite after rounding, for which
 /// Eigen would solve with infinite numbers.
 template <class S>
-auto factor_of(const MatX<S>& M) {
-  auto factor = M.ldlt();
-  if (!(factor.vectorD().minCoeff() > S(0))) throw std::domain_error("the mass matrix is singular");
-  return factor;
-}
+class Factor {
+ public:
+  explicit Factor(const MatX<S>& M);
+  VecX<S> solve(const VecX<S>& b) const;
+  MatX<S> solve(const MatX<S>& b) const;
+
+ private:
+  Eigen::LDLT<MatX<S>> ldlt_;
+};
 
 /// The operations of a class of trees.
 template <class T, class S>
@@ -255,7 +172,7 @@ TreeOperations<S> bind(const Tree<S>& tree) {
   const auto t = std::make_shared<const T>(tree);
   const auto with = [t](auto f) { return [t, f](const auto&... x) { return ((*t).*f)(x...); }; };
   const auto accelerated = [t](const X& q, const X& v, const X& tau, int joint, const V6& F) -> X {
-    return factor_of<S>(t->mass(q)).solve(tau - t->rnea(q, v, X::Zero(v.size()), joint, F));
+    return Factor<S>(t->mass(q)).solve(X(tau - t->rnea(q, v, X::Zero(v.size()), joint, F)));
   };
   TreeOperations<S> o;
   o[op::tree_rnea] = with(&T::rnea);
@@ -268,14 +185,14 @@ TreeOperations<S> bind(const Tree<S>& tree) {
   };
   o[op::tree_crba] = with(&T::mass);
   o[op::tree_mass_inverse] = [t, n = tree.nv](const X& q) -> M {
-    return factor_of<S>(t->mass(q)).solve(M::Identity(n, n));
+    return Factor<S>(t->mass(q)).solve(M(M::Identity(n, n)));
   };
   if constexpr (requires { &T::rnea_derivatives; }) {
     o[op::rnea_derivatives] = with(&T::rnea_derivatives);
     o[op::aba_derivatives] = [t, accelerated](const X& q, const X& v, const X& tau, int joint,
                                               const V6& F) -> std::pair<M, M> {
       const auto [by_q, by_v] = t->rnea_derivatives(q, v, accelerated(q, v, tau, joint, F), joint, F);
-      const auto factor = factor_of<S>(t->mass(q));
+      const Factor<S> factor(t->mass(q));
       return {M(-factor.solve(by_q)), M(-factor.solve(by_v))};
     };
   }

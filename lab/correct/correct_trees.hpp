@@ -1,21 +1,16 @@
 #pragma once
-// Registers a correct implementation of the algorithms on trees.
+// Registers a correct implementation of the algorithms on trees. The large ones are compiled for each scalar in a file of
+// its own.
 
 #include <correct/correct_tree_parts.hpp>
 
 namespace liecheck::properties::correct {
 
 /// Of<S> is the implementation in the scalar S.
-template <template <class> class Of>
+template <template <class> class Of, class S>
 struct RegisteredTree {
-  RegisteredTree(const char* name, const char* version) {
-    add<float>(name, version), add<double>(name, version);
-  }
-
- private:
-  template <class S>
-  static void add(const char* name, const char* version) {
-    TypedSubject<S> s{name, version, {}};
+  RegisteredTree() {
+    TypedSubject<S> s{Of<S>::name, Of<S>::version, {}};
     s.operations.tree = bind<Of<S>, S>;
     Registered<S>(std::move(s));
   }

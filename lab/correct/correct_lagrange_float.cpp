@@ -2,7 +2,9 @@
 #include <correct/correct_trees.hpp>
 
 namespace liecheck::properties::correct {
+namespace {
 
-const RegisteredTree<DenseTree> registered_lagrange{"correct:lagrange", "dense Jacobians in body axes"};
+const RegisteredTree<DenseTree, float> in_float;
 
+}  // namespace
 }  // namespace liecheck::properties::correct

@@ -2,7 +2,9 @@
 #include <correct/correct_trees.hpp>
 
 namespace liecheck::properties::correct {
+namespace {
 
-const RegisteredTree<KaneTree> registered_kane{"correct:kane", "centres of mass in world axes"};
+const RegisteredTree<KaneTree, float> in_float;
 
+}  // namespace
 }  // namespace liecheck::properties::correct
