@@ -9,8 +9,7 @@ namespace properties {
 
 template std::unique_ptr<scene::Method<Float128LoneBody>> make_float128_method(const std::string&,
                                                                                const scene::MethodOptions&);
-template std::unique_ptr<Runner> liecheck_runner<Float128LoneBody>(const Benchmark&, const std::string&,
-                                                                   const scene::Effects<float128>&);
+template MakeRunner<Float128LoneBody> liecheck_runner<Float128LoneBody>;
 
 }  // namespace properties
 }  // namespace liecheck

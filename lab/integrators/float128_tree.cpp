@@ -29,8 +29,7 @@ Model<float128> sharpened(const Model<double>& robot) {
 
 namespace properties {
 
-template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benchmark&, const std::string&,
-                                                               const scene::Effects<float128>&);
+template MakeRunner<Float128Tree> liecheck_runner<Float128Tree>;
 
 }  // namespace properties
 }  // namespace liecheck

@@ -139,5 +139,8 @@ std::unique_ptr<Runner> liecheck_runner(const Benchmark& scene, const std::strin
                                         const scene::Effects<typename Sys::Scalar>& effects) {
   return std::make_unique<LiecheckRunner<Sys>>(scene, method, effects);
 }
+/// Its type.
+template <class Sys>
+using MakeRunner = decltype(liecheck_runner<Sys>);
 
 }  // namespace liecheck::properties

@@ -4,11 +4,13 @@
 
 namespace liecheck::properties {
 
-extern template std::unique_ptr<Runner> liecheck_runner<Float128LoneBody>(const Benchmark&,
-                                                                          const std::string&,
-                                                                          const scene::Effects<float128>&);
-extern template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benchmark&, const std::string&,
-                                                                      const scene::Effects<float128>&);
+// float128_*.cpp and double_runners.cpp compile them.
+extern template MakeRunner<Float128LoneBody> liecheck_runner<Float128LoneBody>;
+extern template MakeRunner<Float128Tree> liecheck_runner<Float128Tree>;
+extern template MakeRunner<scene::ThrownBody<double>> liecheck_runner<scene::ThrownBody<double>>;
+extern template MakeRunner<scene::LoneBody<double>> liecheck_runner<scene::LoneBody<double>>;
+extern template MakeRunner<scene::LoneJoint<double>> liecheck_runner<scene::LoneJoint<double>>;
+extern template MakeRunner<scene::Tree<double>> liecheck_runner<scene::Tree<double>>;
 
 namespace {
 

@@ -4,8 +4,13 @@
 #include <subjects/liecheck_tree.hpp>
 #include <support/embedded.hpp>
 
-namespace liecheck::properties {
+namespace liecheck {
 
+// In stochastic_algorithms.cpp.
+extern template decltype(aba<properties::Stochastic>) aba<properties::Stochastic>;
+extern template decltype(rnea<properties::Stochastic>) rnea<properties::Stochastic>;
+
+namespace properties {
 namespace {
 
 const RobotNumbers& quadruped() {
@@ -29,10 +34,11 @@ TreeCase<T> state(const std::vector<double>& x) {
 template <class S>
 std::vector<double> called(const Operation& operation, const std::vector<double>& x) {
   const TreeCase<S> c = state<S>(x);
-  const TreeOperations<S> o = LiecheckTree<S>::bind(described(c));
-  const auto& function =
-      &operation == static_cast<const Operation*>(&op::tree_rnea) ? o[op::tree_rnea] : o[op::tree_aba];
-  const VecX<S> result = function(eigen(c.q), eigen(c.v), eigen(c.a), -1, Vec<S, 6>::Zero().eval());
+  const Model<S> model = LiecheckTree<S>::model(described(c));
+  Data<S> data(model);
+  const bool inverse = &operation == static_cast<const Operation*>(&op::tree_rnea);
+  const VecX<S> q = eigen(c.q), v = eigen(c.v), a = eigen(c.a),
+                result = inverse ? rnea(model, data, q, v, a) : aba(model, data, q, v, a);
   std::vector<double> numbers;
   for (const S& number : result) numbers.push_back(double(number));
   return numbers;
@@ -86,4 +92,5 @@ std::vector<std::vector<double>> quadruped_states(std::size_t n, std::uint64_t s
   return all;
 }
 
-}  // namespace liecheck::properties
+}  // namespace properties
+}  // namespace liecheck
