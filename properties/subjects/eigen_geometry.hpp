@@ -1,33 +1,19 @@
 #pragma once
 // Subject "eigen": Eigen's Geometry module, and the matrix exponential and logarithm of MatrixFunctions.
-// eigen_float.cpp and eigen_double.cpp compile it, because these functions need much time and memory.
+// eigen_float.cpp and eigen_double.cpp compile it.
 
 #include <subjects/typed.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
-#include <unsupported/Eigen/MatrixFunctions>
-
-/// Eigen's steps for a complex 4 x 4 matrix, with the loop over columns that Eigen runs below 48 rows.
-/// Eigen's own function also has a loop over blocks, which would take a third of this file's compile time.
-template <class S>
-struct Eigen::internal::complex_schur_reduce_to_hessenberg<Eigen::Matrix<std::complex<S>, 4, 4>, true> {
-  using M = Eigen::Matrix<std::complex<S>, 4, 4>;
-  static void run(ComplexSchur<M>& schur, const M& A, bool with_U) {
-    schur.m_hess.compute(A);
-    schur.m_matT = schur.m_hess.matrixH();
-    if (!with_U) return;
-    const auto Q = schur.m_hess.matrixQ();
-    const auto h = schur.m_hess.householderCoefficients();
-    std::complex<S> workspace[4];
-    schur.m_matU.setIdentity();
-    for (Index k = 2; k >= 0; --k)
-      schur.m_matU.bottomRightCorner(3 - k, 3 - k)
-          .applyHouseholderOnTheLeft(Q.essentialVector(k), std::conj(h[k]), workspace);
-  }
-};
 
 namespace liecheck::properties {
+
+// eigen_functions_float.cpp and eigen_functions_double.cpp compile them.
+template <class S>
+Eigen::Matrix<S, 4, 4> matrix_exp(const Eigen::Matrix<S, 4, 4>& m);
+template <class S>
+Eigen::Matrix<S, 4, 4> matrix_log(const Eigen::Matrix<S, 4, 4>& m);
 
 template <class S>
 struct EigenGeometry : Types<S> {
@@ -52,14 +38,14 @@ struct EigenGeometry : Types<S> {
     M4 m = M4::Zero();
     m.template topLeftCorner<3, 3>() = hat<S>(xi.template tail<3>());
     m.template topRightCorner<3, 1>() = xi.template head<3>();
-    const M4 T = m.exp();
+    const M4 T = matrix_exp(m);
     return {T.template topLeftCorner<3, 3>(), T.template topRightCorner<3, 1>()};
   }
   static V6 log6(const Pose<S>& X) {
     M4 T = M4::Identity();
     T.template topLeftCorner<3, 3>() = X.R;
     T.template topRightCorner<3, 1>() = X.p;
-    const M4 m = T.log();
+    const M4 m = matrix_log(T);
     V6 xi;
     xi << m.template topRightCorner<3, 1>(), (m(2, 1) - m(1, 2)) / S(2), (m(0, 2) - m(2, 0)) / S(2),
         (m(1, 0) - m(0, 1)) / S(2);
