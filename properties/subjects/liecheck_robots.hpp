@@ -40,6 +40,9 @@ RobotOperations<S> liecheck_robot(const std::string& urdf, bool fixed) {
   r[op::robot_d_difference_arg1] = derivative(by_difference, ARG1);
   return r;
 }
+// liecheck_trees_float.cpp and liecheck_trees_double.cpp compile them.
+extern template RobotOperations<float> liecheck_robot(const std::string& urdf, bool fixed);
+extern template RobotOperations<double> liecheck_robot(const std::string& urdf, bool fixed);
 
 template <class S>
 TypedSubject<S> liecheck_with_robots(decltype(TypedOperations<S>::tree) tree = nullptr) {

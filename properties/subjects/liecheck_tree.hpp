@@ -5,7 +5,7 @@
 #include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
-#include <subjects/tree.hpp>
+#include <subjects/liecheck_trees.hpp>
 
 namespace liecheck::properties {
 
@@ -142,5 +142,14 @@ struct LiecheckTree {
     return o;
   }
 };
+
+template <class S>
+TreeOperations<S> liecheck_tree(const Tree<S>& tree) {
+  return LiecheckTree<S>::bind(tree);
+}
+template <class S>
+Model<S> liecheck_model(const Tree<S>& tree) {
+  return LiecheckTree<S>::model(tree);
+}
 
 }  // namespace liecheck::properties
