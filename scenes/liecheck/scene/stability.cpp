@@ -1,4 +1,4 @@
-#include <Eigen/Eigenvalues>
+#include <liecheck/scene/modes.hpp>
 #include <liecheck/scene/stability.hpp>
 
 namespace liecheck::scene {
@@ -21,14 +21,6 @@ Matrix derivative(int n, F f) {
     D.col(k) = (plus - f(x)) / (2 * increment);
   }
   return D;
-}
-
-/// The eigenvalues; none if a number is not finite or the iteration fails.
-std::optional<Eigen::VectorXcd> eigenvalues(const Matrix& D) {
-  if (!D.allFinite()) return {};
-  const Eigen::EigenSolver<Matrix> solver(D, false);
-  if (solver.info() != Eigen::Success) return {};
-  return solver.eigenvalues();
 }
 
 /// state with the increment y = (delta, v) [2 nv].
@@ -57,8 +49,8 @@ Matrix motion(Sys& system, const State<Sys>& state) {
 }
 
 double fastest(const Matrix& J) {
-  const auto modes = eigenvalues(J);
-  return modes ? modes->cwiseAbs().maxCoeff() : 0;
+  const auto modes = modesOf(J);
+  return modes ? modes->fastest : 0;
 }
 
 }  // namespace
@@ -68,9 +60,9 @@ Stability stabilityOf(Setup<Sys>& setup, const State<Sys>& state, double h) {
   Sys& system = setup.system;
   const int n = system.nv();
   Stability s;
-  if (const auto modes = eigenvalues(motion(system, state))) {
-    s.stiffest = modes->cwiseAbs().maxCoeff();
-    s.natural = std::exp(std::min(std::max(h * modes->real().maxCoeff(), 0.0), 100.0));
+  if (const auto modes = modesOf(motion(system, state))) {
+    s.stiffest = modes->fastest;
+    s.natural = std::exp(std::min(std::max(h * modes->rising, 0.0), 100.0));
   }
   const auto method = makeMethod<Sys>(setup.scene.integrator, setup.scene.options);
   const auto step = [&](const Vec& y) {
@@ -81,13 +73,13 @@ Stability stabilityOf(Setup<Sys>& setup, const State<Sys>& state, double h) {
   };
   try {
     const State<Sys> end = step(Vec::Zero(2 * n));
-    const auto modes = eigenvalues(derivative(2 * n, [&](const Vec& y) {
+    const auto modes = modesOf(derivative(2 * n, [&](const Vec& y) {
       const State<Sys> to = step(y);
       Vec result(2 * n);
       result << system.difference(end.q, to.q), to.v - end.v;
       return result;
     }));
-    s.growth = modes ? modes->cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
+    s.growth = modes ? modes->fastest : std::numeric_limits<double>::infinity();
   } catch (const std::runtime_error&) {  // StepFailed
     s.growth = std::numeric_limits<double>::infinity();
   } catch (const std::domain_error&) {  // SingularInertia
