@@ -20,29 +20,7 @@ class Tree {
   using Tangent = VectorX<S>;
   struct Path {};
 
-  explicit Tree(const Model<S>& robot, Effects<S> effects = {})
-      : model_(robot), data_(robot, robot.has_mimics ? Dense::Mass : Dense::None) {
-    model_.gravity.setZero(), model_.armature.setZero();
-    for (const auto& e : effects) {
-      e->prepare(model_);
-      if (e->acts() == Acts::OnModel) continue;
-      if (e->needs() > needs_) needs_ = e->needs();
-      if (e->acts() == Acts::OnBodies) bodies_ = true;
-      pieces_.add(e->events());
-      effects_.push_back(e);
-    }
-    for (std::size_t i = 1; i < model_.joints.size(); ++i) {
-      const int q = model_.idx_qs[i], v = model_.idx_vs[i], n = model_.nvs[i];
-      if (model_.nqs[i] != n)
-        curved_.push_back(i);
-      else if (!straight_.empty() && straight_.back().q + straight_.back().count == q)
-        straight_.back().count += n;
-      else if (n > 0)
-        straight_.push_back({q, v, n});
-    }
-    tau_ = VectorX<S>::Zero(model_.nv);
-    f_.assign(std::size_t(model_.njoints), Force<S>::Zero());
-  }
+  explicit Tree(const Model<S>& robot, Effects<S> effects = {});
 
   int nq() const { return model_.nq; }
   int nv() const { return model_.nv; }
@@ -60,32 +38,14 @@ class Tree {
   }
   void keep(const S& t, const Configuration& q, const Tangent& v) { kept_.keep(t, q, v); }
   /// Sums the forces of all effects. They share the kinematics with the equations.
-  [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
-    const auto size = [](const auto& x) { return std::size_t(x.size()); };
-    Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
-    if (needs_ != Kinematics::None) {
-      move(q, v);
-      now.X_WJ = data_.oMi(), now.V = {data_.work.velocity, now.X_WJ, true};
-    }
-    kept_.drop();
-    switches_.restart();
-    tau_.setZero();
-    if (bodies_) std::fill(f_.begin(), f_.end(), Force<S>::Zero());
-    for (const auto& e : effects_) e->add(now, {{tau_.data(), size(tau_)}, f_});
-  }
+  [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v);
   /// Computes the poses and twists that effects and equations share.
   void move(const Configuration& q, const Tangent& v) {
     algorithms_detail::bodiesInWorldAxes<S>(model_, data_, q, v);
     moved_ = true;
   }
   /// Computes v_dot with the forces of the last load(), and with its poses and twists, if it had any.
-  [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) {
-    if (model_.has_mimics) return dense(q, v, a);
-    if (!moved_) move(q, v);
-    moved_ = false;
-    algorithms_detail::articulatedBodies<S>(model_, data_, tau_, bodies_ ? External<S>(f_) : External<S>(), true);
-    a = data_.ddq.write(Level::Velocity);
-  }
+  [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a);
 
   void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
     for (const Straight& r : straight_)
@@ -94,22 +54,8 @@ class Tree {
       place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
     });
   }
-  [[gnu::noinline]] void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
-    for (const Straight& r : straight_)
-      for (int k = 0; k < r.count; ++k) scene::accumulate<S>(q[r.q + k], low[r.v + k], delta[r.v + k]);
-    forEachCurved([&](const auto& place) {
-      auto x = place.configuration(std::as_const(q));
-      auto rest = place.tangent(std::as_const(low));
-      accumulateOf<S>(place.joint, x, rest, place.tangent(delta));
-      place.configuration(q) = x, place.tangent(low) = rest;
-    });
-  }
-  [[gnu::noinline]] void tangentRate(const Tangent& delta, const Tangent& v, Tangent& rate) const {
-    rate = v;
-    forEachCurved([&](const auto& place) {
-      place.tangent(rate) = tangentRateOf<S>(place.joint, place.tangent(delta), place.tangent(v));
-    });
-  }
+  [[gnu::noinline]] void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const;
+  [[gnu::noinline]] void tangentRate(const Tangent& delta, const Tangent& v, Tangent& rate) const;
   void coefficientRate(const Configuration& q, const Tangent& v, Configuration& rate) const {
     multibody_detail::forEachJoint(model_, [&](const auto& place) {
       place.configuration(rate) =
@@ -154,14 +100,7 @@ class Tree {
 
  private:
   /// The equations of a robot with mimic joints, of which aba takes forces in the joints' axes.
-  void dense(const Configuration& q, const Tangent& v, Tangent& a) {
-    moved_ = false;
-    if (!bodies_) return void(a = aba(model_, data_, q, v, tau_));
-    forwardKinematics(model_, data_, q);
-    for (std::size_t i = 1; i < f_.size(); ++i)
-      f_[i] = SE3<S>(data_.oMi()[i].rotation(), Vector3<S>::Zero()).actInv(f_[i]);
-    a = aba(model_, data_, q, v, tau_, External<S>(f_));
-  }
+  void dense(const Configuration& q, const Tangent& v, Tangent& a);
   /// A range of q and v in which integrate is a plain sum.
   struct Straight {
     int q, v, count;
@@ -185,5 +124,91 @@ class Tree {
   VectorX<S> tau_;
   std::vector<Force<S>> f_;
 };
+
+template <Scalar S>
+Tree<S>::Tree(const Model<S>& robot, Effects<S> effects)
+    : model_(robot), data_(robot, robot.has_mimics ? Dense::Mass : Dense::None) {
+  model_.gravity.setZero(), model_.armature.setZero();
+  for (const auto& e : effects) {
+    e->prepare(model_);
+    if (e->acts() == Acts::OnModel) continue;
+    if (e->needs() > needs_) needs_ = e->needs();
+    if (e->acts() == Acts::OnBodies) bodies_ = true;
+    pieces_.add(e->events());
+    effects_.push_back(e);
+  }
+  for (std::size_t i = 1; i < model_.joints.size(); ++i) {
+    const int q = model_.idx_qs[i], v = model_.idx_vs[i], n = model_.nvs[i];
+    if (model_.nqs[i] != n)
+      curved_.push_back(i);
+    else if (!straight_.empty() && straight_.back().q + straight_.back().count == q)
+      straight_.back().count += n;
+    else if (n > 0)
+      straight_.push_back({q, v, n});
+  }
+  tau_ = VectorX<S>::Zero(model_.nv);
+  f_.assign(std::size_t(model_.njoints), Force<S>::Zero());
+}
+
+template <Scalar S>
+void Tree<S>::load(const S& t, const Configuration& q, const Tangent& v) {
+  const auto size = [](const auto& x) { return std::size_t(x.size()); };
+  Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
+  if (needs_ != Kinematics::None) {
+    move(q, v);
+    now.X_WJ = data_.oMi(), now.V = {data_.work.velocity, now.X_WJ, true};
+  }
+  kept_.drop();
+  switches_.restart();
+  tau_.setZero();
+  if (bodies_) std::fill(f_.begin(), f_.end(), Force<S>::Zero());
+  for (const auto& e : effects_) e->add(now, {{tau_.data(), size(tau_)}, f_});
+}
+
+template <Scalar S>
+void Tree<S>::equations(const Configuration& q, const Tangent& v, Tangent& a) {
+  if (model_.has_mimics) return dense(q, v, a);
+  if (!moved_) move(q, v);
+  moved_ = false;
+  algorithms_detail::articulatedBodies<S>(model_, data_, tau_, bodies_ ? External<S>(f_) : External<S>(), true);
+  a = data_.ddq.write(Level::Velocity);
+}
+
+template <Scalar S>
+void Tree<S>::accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
+  for (const Straight& r : straight_)
+    for (int k = 0; k < r.count; ++k) scene::accumulate<S>(q[r.q + k], low[r.v + k], delta[r.v + k]);
+  forEachCurved([&](const auto& place) {
+    auto x = place.configuration(std::as_const(q));
+    auto rest = place.tangent(std::as_const(low));
+    accumulateOf<S>(place.joint, x, rest, place.tangent(delta));
+    place.configuration(q) = x, place.tangent(low) = rest;
+  });
+}
+
+template <Scalar S>
+void Tree<S>::tangentRate(const Tangent& delta, const Tangent& v, Tangent& rate) const {
+  rate = v;
+  forEachCurved([&](const auto& place) {
+    place.tangent(rate) = tangentRateOf<S>(place.joint, place.tangent(delta), place.tangent(v));
+  });
+}
+
+template <Scalar S>
+void Tree<S>::dense(const Configuration& q, const Tangent& v, Tangent& a) {
+  moved_ = false;
+  if (!bodies_) return void(a = aba(model_, data_, q, v, tau_));
+  forwardKinematics(model_, data_, q);
+  for (std::size_t i = 1; i < f_.size(); ++i)
+    f_[i] = SE3<S>(data_.oMi()[i].rotation(), Vector3<S>::Zero()).actInv(f_[i]);
+  a = aba(model_, data_, q, v, tau_, External<S>(f_));
+}
+
+// In instantiations_tree_system.cpp.
+extern template Tree<double>::Tree(const Model<double>&, Effects<double>);
+extern template void Tree<double>::load(const double&, const VectorX<double>&, const VectorX<double>&);
+extern template void Tree<double>::equations(const VectorX<double>&, const VectorX<double>&, VectorX<double>&);
+extern template void Tree<double>::accumulate(VectorX<double>&, VectorX<double>&, const VectorX<double>&) const;
+extern template void Tree<double>::tangentRate(const VectorX<double>&, const VectorX<double>&, VectorX<double>&) const;
 
 }  // namespace liecheck::scene
