@@ -192,8 +192,9 @@ struct Correct : Types<S> {
   }
   static X6 between_any_norm(const V7& q0, const V7& q1) {
     const V4 Q0 = q0.template tail<4>(), Q1 = q1.template tail<4>();
-    return between(q0, q1, unit(Q0),
-                   relative_any_norm(Q0.template cast<double>(), Q1.template cast<double>()).template cast<W>());
+    return between(
+        q0, q1, unit(Q0),
+        relative_any_norm(Q0.template cast<double>(), Q1.template cast<double>()).template cast<W>());
   }
   static V6 difference_any_norm(const V7& q0, const V7& q1) { return narrow(between_any_norm(q0, q1)); }
   static M6 d_difference_any_norm(const V7& q0, const V7& q1) {

@@ -14,7 +14,8 @@ Vec<float128, 4> relative_any_norm(const Vec<double, 4>& Q0, const Vec<double, 4
 
 namespace {
 
-const Registered<double> in_double(Correct<double, Quaternions<long double>>::make("wide", "quaternions in more digits"));
+const Registered<double> in_double(
+    Correct<double, Quaternions<long double>>::make("wide", "quaternions in more digits"));
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -12,8 +12,10 @@ extern template class Model<float128>;
 extern template class Data<float128>;
 extern template Model<float128> Model<double>::cast<float128>() const;
 extern template decltype(aba<float128>) aba<float128>;
-extern template decltype(algorithms_detail::bodiesInWorldAxes<float128>) algorithms_detail::bodiesInWorldAxes<float128>;
-extern template decltype(algorithms_detail::articulatedBodies<float128>) algorithms_detail::articulatedBodies<float128>;
+extern template decltype(algorithms_detail::bodiesInWorldAxes<float128>)
+    algorithms_detail::bodiesInWorldAxes<float128>;
+extern template decltype(algorithms_detail::articulatedBodies<float128>)
+    algorithms_detail::articulatedBodies<float128>;
 extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>);
 extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>);
 extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>,
