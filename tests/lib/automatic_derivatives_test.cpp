@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "dual.hpp"
+#include "scalar_test.hpp"
 
 #if __has_include(<ceres/jet.h>)
 #include <ceres/jet.h>
@@ -142,45 +143,38 @@ void near(const Rows& A, const Rows& B, const char* what, const V3& phi) {
       << B;
 }
 
-template <class D>
-class AutomaticDerivatives : public testing::Test {};
-
 #if __has_include(<ceres/jet.h>)
-using Scalars = testing::Types<Dual<6>, ceres::Jet<double, 6>>;
+SCALAR_SUITE(AutomaticDerivatives, Dual<6>, ceres::Jet<double, 6>);
 #else
-using Scalars = testing::Types<Dual<6>>;
+SCALAR_SUITE(AutomaticDerivatives, Dual<6>);
 #endif
-TYPED_TEST_SUITE(AutomaticDerivatives, Scalars);
 
-TYPED_TEST(AutomaticDerivatives, OfExp3AreTheRightJacobian) {
-  using D = TypeParam;
+SCALAR_TEST(AutomaticDerivatives, OfExp3AreTheRightJacobian) {
   for (const V3& phi : vectors(1e3)) {
-    const auto x = seeded<D, 3>(phi, M3::Identity());
+    const auto x = seeded<S, 3>(phi, M3::Identity());
     const M3 J = rightJacobian<double>(phi), R = exp3<double>(phi);
-    near(derivatives<D>(Vector4<D>(quaternion::exp3<D>(x).to_vector()), 3), turning(quaternion_of(phi)) * J,
+    near(derivatives<S>(Vector4<S>(quaternion::exp3<S>(x).to_vector()), 3), turning(quaternion_of(phi)) * J,
          "quaternion", phi);
-    near(derivatives<D>(Matrix3<D>(exp3<D>(x)), 3), turning(R) * J, "matrix", phi);
+    near(derivatives<S>(Matrix3<S>(exp3<S>(x)), 3), turning(R) * J, "matrix", phi);
   }
 }
 
-TYPED_TEST(AutomaticDerivatives, OfLog3AreTheInverseRightJacobian) {
-  using D = TypeParam;
+SCALAR_TEST(AutomaticDerivatives, OfLog3AreTheInverseRightJacobian) {
   for (const V3& phi : vectors(std::numbers::pi))
     for (const double sign : {1., -1.}) {
       const V4 Q = sign * quaternion_of(phi);
       const V3 log = quaternion::log3<double>(SO3<double>(Q));
-      const auto y = seeded<D, 4>(Q, turning(Q));
-      near(derivatives<D>(Vector3<D>(quaternion::log3<D>(SO3<D>(y))), 3), rightJacobianInverse<double>(log),
+      const auto y = seeded<S, 4>(Q, turning(Q));
+      near(derivatives<S>(Vector3<S>(quaternion::log3<S>(SO3<S>(y))), 3), rightJacobianInverse<double>(log),
            sign > 0 ? "of Q" : "of -Q", log);
       const M3 R = exp3<double>(phi);
-      const Matrix3<D> X = seeded_matrix<D>(R, turning(R));
-      near(derivatives<D>(Vector3<D>(log3<D>(X)), 3), rightJacobianInverse<double>(log3<double>(R)), "of R",
+      const Matrix3<S> X = seeded_matrix<S>(R, turning(R));
+      near(derivatives<S>(Vector3<S>(log3<S>(X)), 3), rightJacobianInverse<double>(log3<double>(R)), "of R",
            log3<double>(R));
     }
 }
 
-TYPED_TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
-  using D = TypeParam;
+SCALAR_TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(std::numbers::pi, not_underflowing)) {
     V6 xi;
@@ -188,15 +182,15 @@ TYPED_TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
     const Motion<double> m(xi);
     const M6 J = rightJacobian<double>(m);
     const SE3<double> T = exp6<double>(m);
-    const SE3<D> X = exp6<D>(Motion<D>(seeded<D, 6>(xi, M6::Identity())));
-    near(derivatives<D>(Vector3<D>(X.translation())), T.rotation() * J.topRows(3), "p of exp6", phi);
-    near(derivatives<D>(Matrix3<D>(X.rotation())), turning(T.rotation()) * J.bottomRows(3), "R of exp6", phi);
+    const SE3<S> X = exp6<S>(Motion<S>(seeded<S, 6>(xi, M6::Identity())));
+    near(derivatives<S>(Vector3<S>(X.translation())), T.rotation() * J.topRows(3), "p of exp6", phi);
+    near(derivatives<S>(Matrix3<S>(X.rotation())), turning(T.rotation()) * J.bottomRows(3), "R of exp6", phi);
 
     Rows of_R = Rows::Zero(9, 6), of_p = Rows::Zero(3, 6);
     of_R.rightCols(3) = turning(T.rotation()), of_p.leftCols(3) = T.rotation();
-    const SE3<D> Y(seeded_matrix<D>(T.rotation(), of_R), seeded<D, 3>(T.translation(), of_p));
+    const SE3<S> Y(seeded_matrix<S>(T.rotation(), of_R), seeded<S, 3>(T.translation(), of_p));
     const Motion<double> log = log6<double>(T);
-    near(derivatives<D>(Vector6<D>(log6<D>(Y).to_vector())), rightJacobianInverse<double>(log), "log6", phi);
+    near(derivatives<S>(Vector6<S>(log6<S>(Y).to_vector())), rightJacobianInverse<double>(log), "log6", phi);
   }
 }
 
@@ -208,8 +202,7 @@ Rows tangent(const V7& x) {
   return N;
 }
 
-TYPED_TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
-  using D = TypeParam;
+SCALAR_TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
   using enum ArgumentPosition;
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(3, not_underflowing))
@@ -222,36 +215,35 @@ TYPED_TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
         const V7 q1 = integrateSE3<double>(q, d);
         const Rows none = Rows::Zero(7, 6), one = Rows::Identity(6, 6), no_d = Rows::Zero(6, 6);
         const V6 by = differenceSE3<double>(q, q1);
-        near(derivatives<D>(Vector7<D>(integrateSE3<D>(seeded<D, 7>(q, none), seeded<D, 6>(d, one)))),
+        near(derivatives<S>(Vector7<S>(integrateSE3<S>(seeded<S, 7>(q, none), seeded<S, 6>(d, one)))),
              tangent(q1) * dIntegrateSE3<double>(q, d, ARG1), "integrate by d", phi);
-        near(derivatives<D>(Vector7<D>(integrateSE3<D>(seeded<D, 7>(q, tangent(q)), seeded<D, 6>(d, no_d)))),
+        near(derivatives<S>(Vector7<S>(integrateSE3<S>(seeded<S, 7>(q, tangent(q)), seeded<S, 6>(d, no_d)))),
              tangent(q1) * dIntegrateSE3<double>(q, d, ARG0), "integrate by q", phi);
-        near(derivatives<D>(
-                 Vector6<D>(differenceSE3<D>(seeded<D, 7>(q, none), seeded<D, 7>(q1, tangent(q1))))),
+        near(derivatives<S>(
+                 Vector6<S>(differenceSE3<S>(seeded<S, 7>(q, none), seeded<S, 7>(q1, tangent(q1))))),
              dDifferenceSE3<double>(q, q1, ARG1), "difference by q1", V3(by.tail<3>()));
         near(
-            derivatives<D>(Vector6<D>(differenceSE3<D>(seeded<D, 7>(q, tangent(q)), seeded<D, 7>(q1, none)))),
+            derivatives<S>(Vector6<S>(differenceSE3<S>(seeded<S, 7>(q, tangent(q)), seeded<S, 7>(q1, none)))),
             dDifferenceSE3<double>(q, q1, ARG0), "difference by q0", V3(by.tail<3>()));
       }
 }
 
 // The coupling block of the Jacobian of SE(3) is the derivative of that of SO(3) along rho.
-TYPED_TEST(AutomaticDerivatives, OfJacobiansAlongRhoAreTheCouplingBlocks) {
-  using D = TypeParam;
+SCALAR_TEST(AutomaticDerivatives, OfJacobiansAlongRhoAreTheCouplingBlocks) {
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(std::numbers::pi)) {
     V6 xi;
     xi << rho, phi;
-    const auto x = seeded<D, 3>(phi, rho);
+    const auto x = seeded<S, 3>(phi, rho);
     const Motion<double> m(xi);
-    const auto along = [](const Matrix3<D>& J) -> Rows { return derivatives<D>(J, 1); };
+    const auto along = [](const Matrix3<S>& J) -> Rows { return derivatives<S>(J, 1); };
     const auto coupling = [](const M6& J) -> Rows {
       return M3(J.topRightCorner<3, 3>()).transpose().reshaped();
     };
-    near(along(leftJacobian<D>(x)), coupling(leftJacobian<double>(m)), "left", phi);
-    near(along(rightJacobian<D>(x)), coupling(rightJacobian<double>(m)), "right", phi);
-    near(along(leftJacobianInverse<D>(x)), coupling(leftJacobianInverse<double>(m)), "left inverse", phi);
-    near(along(rightJacobianInverse<D>(x)), coupling(rightJacobianInverse<double>(m)), "right inverse", phi);
+    near(along(leftJacobian<S>(x)), coupling(leftJacobian<double>(m)), "left", phi);
+    near(along(rightJacobian<S>(x)), coupling(rightJacobian<double>(m)), "right", phi);
+    near(along(leftJacobianInverse<S>(x)), coupling(leftJacobianInverse<double>(m)), "left inverse", phi);
+    near(along(rightJacobianInverse<S>(x)), coupling(rightJacobianInverse<double>(m)), "right inverse", phi);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "refusal.hpp"
+#include "scalar_test.hpp"
 
 namespace liecheck {
 namespace {
@@ -21,10 +22,7 @@ std::vector<Instructions> supported() {
   return all;
 }
 
-template <class S>
-class BatchOf : public testing::Test {};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(BatchOf, Scalars);
+SCALAR_SUITE(BatchOf, float, double);
 
 template <class S>
 struct Inputs {
@@ -33,6 +31,7 @@ struct Inputs {
   explicit Inputs(int n) : q(7, n), near(7, n), delta(6, n) {
     std::mt19937 random(n + 1);
     std::normal_distribution<double> normal;
+    using Limits = std::numeric_limits<S>;
     const S special[] = {S(0),
                          S(1e-30),
                          S(1e-6),
@@ -40,9 +39,9 @@ struct Inputs {
                          pi<S>(),
                          S(4),
                          S(1e10),
-                         std::numeric_limits<S>::infinity(),
-                         std::numeric_limits<S>::quiet_NaN(),
-                         std::numeric_limits<S>::max()};
+                         Limits::infinity(),
+                         Limits::quiet_NaN(),
+                         Limits::max()};
     for (int i = 0; i < n; ++i) {
       Vector7<S> a;
       Vector6<S> d;
@@ -102,8 +101,7 @@ double apart(const Column& column, const Matrix6<S>& J) {
   return most;
 }
 
-TYPED_TEST(BatchOf, AgreesWithSinglePosesForEverySizeAndSpecialValue) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOf, AgreesWithSinglePosesForEverySizeAndSpecialValue) {
   for (const Instructions instructions : supported())
     for (const int n : {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 1000}) {
       const batch::Options o{1, instructions};
@@ -153,8 +151,7 @@ bool sameBits(const A& a, const A& b) {
   return same;
 }
 
-TYPED_TEST(BatchOf, BitsDependOnNeitherInstructionsNorThreadsNorNeighbours) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOf, BitsDependOnNeitherInstructionsNorThreadsNorNeighbours) {
   const int n = 20001;
   const Inputs<S> in(n);
   for (const Instructions i : supported()) {
@@ -179,8 +176,7 @@ TYPED_TEST(BatchOf, BitsDependOnNeitherInstructionsNorThreadsNorNeighbours) {
   }
 }
 
-TYPED_TEST(BatchOf, MemoryOfAResultIsUsedAgain) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOf, MemoryOfAResultIsUsedAgain) {
   const Inputs<S> in(100);
   auto result = batch::integrate<S>(in.q, in.delta);
   const auto expected = result;
@@ -190,8 +186,7 @@ TYPED_TEST(BatchOf, MemoryOfAResultIsUsedAgain) {
   EXPECT_TRUE(sameBits(result, expected));
 }
 
-TYPED_TEST(BatchOf, BadInputIsRefused) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOf, BadInputIsRefused) {
   const Inputs<S> in(9000);
   const batch::Rows<S, 6> fewer = in.delta.leftCols(8999);
   EXPECT_EQ(test::refusal([&] { batch::integrate<S>(in.q, fewer); }),

@@ -9,6 +9,7 @@
 
 #include "random_tree.hpp"
 #include "refusal.hpp"
+#include "scalar_test.hpp"
 
 namespace liecheck {
 namespace {
@@ -47,75 +48,70 @@ struct Batch {
 };
 
 template <class S>
-class BatchOfStates : public testing::Test {
- protected:
-  Model<S> model(const Model<double>& m) const {
-    if constexpr (std::is_same_v<S, double>)
-      return m;
-    else
-      return m.template cast<S>();
-  }
-  /// Each state of the batches agrees with the state alone up to 64 eps of the norm.
-  void agree(const Model<double>& in_double, const Batch<S>& in, const batch::Options& o) const {
-    const Model<S> m = model(in_double);
-    Data<S> data(m, Dense::Mass);
-    const States<S> poses = batch::forwardKinematics(m, in.q, o), tau = batch::rnea(m, in.q, in.v, in.a, o),
-                    pushed = batch::rnea(m, in.q, in.v, in.a, o, in.fext),
-                    ddq = batch::aba(m, in.q, in.v, in.a, o, in.fext);
-    ASSERT_EQ(poses.cols(), in.q.cols());
-    const auto near = [](const auto& a, const auto& b) {
-      EXPECT_LE((a - b).norm(), 64 * eps<S>() * b.norm()) << a.transpose() << "\n" << b.transpose();
-    };
-    for (Eigen::Index i = 0; i < in.q.cols(); ++i) {
-      const VectorX<S> q = in.q.col(i), v = in.v.col(i), a = in.a.col(i);
-      near(VectorX<S>(tau.col(i)), rnea(m, data, q, v, a));
-      std::vector<Force<S>> fext;
-      for (int j = 0; j < m.njoints; ++j)
-        fext.emplace_back(Vector6<S>(in.fext.col(i).template segment<6>(6 * j)));
-      near(VectorX<S>(pushed.col(i)), rnea(m, data, q, v, a, fext));
-      near(VectorX<S>(ddq.col(i)), aba(m, data, q, v, a, fext));
-      forwardKinematics(m, data, q);
-      for (int j = 0; j < m.njoints; ++j) {
-        const SE3<S>& X = data.oMi[std::size_t(j)];
-        const VectorX<S> rows = poses.col(i).segment(12 * j, 12);
-        for (int k = 0; k < 9; ++k) EXPECT_NEAR(rows[k], X.rotation()(k / 3, k % 3), 16 * eps<S>());
-        EXPECT_LE((rows.tail(3) - X.translation()).norm(), 64 * eps<S>() * (1 + X.translation().norm()));
-      }
+Model<S> modelIn(const Model<double>& m) {
+  if constexpr (std::is_same_v<S, double>)
+    return m;
+  else
+    return m.template cast<S>();
+}
+/// Each state of the batches agrees with the state alone up to 64 eps of the norm.
+template <class S>
+void agree(const Model<double>& in_double, const Batch<S>& in, const batch::Options& o) {
+  const Model<S> m = modelIn<S>(in_double);
+  Data<S> data(m, Dense::Mass);
+  const States<S> poses = batch::forwardKinematics(m, in.q, o), tau = batch::rnea(m, in.q, in.v, in.a, o),
+                  pushed = batch::rnea(m, in.q, in.v, in.a, o, in.fext),
+                  ddq = batch::aba(m, in.q, in.v, in.a, o, in.fext);
+  ASSERT_EQ(poses.cols(), in.q.cols());
+  const auto near = [](const auto& a, const auto& b) {
+    EXPECT_LE((a - b).norm(), 64 * eps<S>() * b.norm()) << a.transpose() << "\n" << b.transpose();
+  };
+  for (Eigen::Index i = 0; i < in.q.cols(); ++i) {
+    const VectorX<S> q = in.q.col(i), v = in.v.col(i), a = in.a.col(i);
+    near(VectorX<S>(tau.col(i)), rnea(m, data, q, v, a));
+    std::vector<Force<S>> fext;
+    for (int j = 0; j < m.njoints; ++j)
+      fext.emplace_back(Vector6<S>(in.fext.col(i).template segment<6>(6 * j)));
+    near(VectorX<S>(pushed.col(i)), rnea(m, data, q, v, a, fext));
+    near(VectorX<S>(ddq.col(i)), aba(m, data, q, v, a, fext));
+    forwardKinematics(m, data, q);
+    for (int j = 0; j < m.njoints; ++j) {
+      const SE3<S>& X = data.oMi[std::size_t(j)];
+      const VectorX<S> rows = poses.col(i).segment(12 * j, 12);
+      for (int k = 0; k < 9; ++k) EXPECT_NEAR(rows[k], X.rotation()(k / 3, k % 3), 16 * eps<S>());
+      EXPECT_LE((rows.tail(3) - X.translation()).norm(), 64 * eps<S>() * (1 + X.translation().norm()));
     }
   }
-};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(BatchOfStates, Scalars);
+}
+SCALAR_SUITE(BatchOfStates, float, double);
 
-TYPED_TEST(BatchOfStates, AgreesWithSingleStates) {
+SCALAR_TEST(BatchOfStates, AgreesWithSingleStates) {
   const Model<double> kernels = kernelModel(), all = test::randomModel(5, 11);
   for (const auto i : {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
     if (!batch::supported(i)) continue;
-    for (const int n : {0, 1, 3, 16, 37}) this->agree(kernels, Batch<TypeParam>(kernels, n), {1, i});
-    this->agree(all, Batch<TypeParam>(all, 5), {1, i});
-    this->agree(kernels, Batch<TypeParam>(kernels, 1500), {3, i});
+    for (const int n : {0, 1, 3, 16, 37}) agree<S>(kernels, Batch<S>(kernels, n), {1, i});
+    agree<S>(all, Batch<S>(all, 5), {1, i});
+    agree<S>(kernels, Batch<S>(kernels, 1500), {3, i});
   }
 }
 
-TYPED_TEST(BatchOfStates, OffUnitAndLargeCoordinatesAgreeToo) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOfStates, OffUnitAndLargeCoordinatesAgreeToo) {
   const Model<double> m = kernelModel();
   Batch<S> in(m, 64);
   for (int i = 0; i < 64; i += 3) in.q.col(i).segment(3, 4) *= S(1 + i);
   for (int i = 0; i < 64; i += 5) in.q.col(i).segment(m.idx_qs[5], 2) *= S(0.3);
   for (int i = 0; i < 64; i += 7) in.q(m.idx_qs[2], i) = S(1e6 + i);
-  this->agree(m, in, {});
+  agree<S>(m, in, {});
   in.q.col(20).segment(3, 4).setZero();
-  EXPECT_EQ(test::refusal([&] { batch::aba(this->model(m), in.q, in.v, in.a); }),
+  EXPECT_EQ(test::refusal([&] { batch::aba(modelIn<S>(m), in.q, in.v, in.a); }),
             "a zero quaternion is not a rotation");
   const States<S> fewer = in.v.leftCols(63);
-  EXPECT_EQ(test::refusal([&] { batch::rnea(this->model(m), in.q, fewer, in.a); }),
+  EXPECT_EQ(test::refusal([&] { batch::rnea(modelIn<S>(m), in.q, fewer, in.a); }),
             "an argument of a batch is 12 x 63, the model needs 12 x 64");
 }
 
-TYPED_TEST(BatchOfStates, BitsDoNotDependOnInstructions) {
-  using S = TypeParam;
-  const Model<S> m = this->model(kernelModel());
+SCALAR_TEST(BatchOfStates, BitsDoNotDependOnInstructions) {
+  const Model<S> m = modelIn<S>(kernelModel());
   const Batch<S> in(kernelModel(), 100);
   const auto all = [&](Instructions i) {
     const batch::Options o{1, i};
@@ -132,22 +128,20 @@ TYPED_TEST(BatchOfStates, BitsDoNotDependOnInstructions) {
 }
 
 /// A sphere that spins. Products that are fused with a subtraction would leave an acceleration.
-TYPED_TEST(BatchOfStates, AnAccelerationThatIsZeroAloneIsZeroInABatch) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOfStates, AnAccelerationThatIsZeroAloneIsZeroInABatch) {
   Model<double> in_double;
   test::Random random(9);
   const int id = in_double.addJoint(0, FreeFlyer<double>(), SE3<double>::Identity(), "base");
   in_double.appendBodyToJoint(id, Inertia<double>(2, Vector3<double>::Zero(), Matrix3<double>::Identity()));
   in_double.gravity.setZero();
-  const Model<S> m = this->model(in_double);
+  const Model<S> m = modelIn<S>(in_double);
   States<S> q = States<S>::Zero(7, 16), v = States<S>::Zero(6, 16);
   q.row(6).setOnes();
   for (int i = 0; i < 16; ++i) v.col(i).template tail<3>() = random.vector(3).template cast<S>().array();
   EXPECT_EQ(batch::aba(m, q, v, States<S>(States<S>::Zero(6, 16))).abs().maxCoeff(), S(0));
 }
 
-TYPED_TEST(BatchOfStates, SineAndCosineHaveAnErrorOfOneEps) {
-  using S = TypeParam;
+SCALAR_TEST(BatchOfStates, SineAndCosineHaveAnErrorOfOneEps) {
   using P = batch::Pack<S, register_bytes / int(sizeof(S))>;
   test::Random random(1);
   for (int n = 0; n < 200000; ++n) {

@@ -13,6 +13,7 @@
 
 #include "long_double.hpp"
 #include "random_tree.hpp"
+#include "refusal.hpp"
 
 namespace {
 
@@ -20,23 +21,8 @@ using namespace liecheck;
 using namespace liecheck::test;
 using Mat = MatrixX<double>;
 
-/// Calls f(model, state, random) for trees, chains and stars of up to 22 joints.
-void forEachRobot(const std::function<void(const Model<double>&, const State&, Random&)>& f) {
-  for (unsigned seed = 1; seed <= 24; ++seed) {
-    const Shape shape = seed % 3 == 0 ? Shape::Chain : seed % 3 == 1 ? Shape::Star : Shape::Tree;
-    const Model<double> m = randomModel(seed, seed < 12 ? int(seed) : 22, shape, seed % 4 == 0 ? 1e3 : 1);
-    SCOPED_TRACE(m.name);
-    Random random(1000 + seed);
-    f(m, randomState(m, random), random);
-  }
-}
-/// Relative error bound of a sum of nv terms, each of a few operations: 8 nv eps of the sum of their sizes.
-double budget(const Model<double>& m) {
-  return 8 * m.nv * eps<double>();
-}
-
 TEST(Dynamics, RneaOfAbaIsTau) {
-  forEachRobot([](const Model<double>& m, const State& s, Random& random) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random& random) {
     Data<double> d(m, Dense::Mass);
     const auto fext = random.forces(m.njoints);
     const Vec a = aba(m, d, s.q, s.v, s.tau, fext);
@@ -48,7 +34,7 @@ TEST(Dynamics, RneaOfAbaIsTau) {
 }
 
 TEST(Dynamics, CrbaIsSymmetricPositiveDefiniteAndItsColumnsAreThoseOfRnea) {
-  forEachRobot([](const Model<double>& m, const State& s, Random&) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
     // crba must set the entries between branches to zero. glibc's allocator gives this memory, full of NaN,
     // to Data, so that an entry that is not set stays NaN. (A sanitizer's allocator does not.)
     std::vector<Mat>(8, Mat::Constant(m.nv, m.nv, std::numeric_limits<double>::quiet_NaN()));
@@ -67,7 +53,7 @@ TEST(Dynamics, CrbaIsSymmetricPositiveDefiniteAndItsColumnsAreThoseOfRnea) {
 }
 
 TEST(Dynamics, AbaIsTheInverseOfMTimesTauMinusH) {
-  forEachRobot([](const Model<double>& m, const State& s, Random&) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
     Data<double> d(m, Dense::Mass);
     const Mat Minv = computeMinverse(m, d, s.q), M = d.M();
     EXPECT_EQ(Minv, Minv.transpose());
@@ -79,7 +65,7 @@ TEST(Dynamics, AbaIsTheInverseOfMTimesTauMinusH) {
 }
 
 TEST(Dynamics, NonLinearEffectsAtRestAreGravityAndExternalForcesActThroughTheJacobians) {
-  forEachRobot([](const Model<double>& m, const State& s, Random& random) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random& random) {
     Data<double> d(m);
     const Vec none = Vec::Zero(m.nv), g = computeGeneralizedGravity(m, d, s.q);
     EXPECT_LE((nonLinearEffects(m, d, s.q, none) - g).norm(), budget(m) * g.norm());
@@ -97,7 +83,7 @@ TEST(Dynamics, NonLinearEffectsAtRestAreGravityAndExternalForcesActThroughTheJac
 }
 
 TEST(Dynamics, KineticEnergyIsHalfVMV) {
-  forEachRobot([](const Model<double>& m, const State& s, Random&) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
     Data<double> d(m, Dense::Mass);
     const double e = computeKineticEnergy(m, d, s.q, s.v);
     const Mat M = crba(m, d, s.q);
@@ -106,7 +92,7 @@ TEST(Dynamics, KineticEnergyIsHalfVMV) {
 }
 
 TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
-  forEachRobot([](const Model<double>& m, const State& s, Random&) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
     const Model<Real> ml = m.cast<Real>();
     Data<Real> d(ml);
     const VecL v = s.v.cast<Real>(), a = s.a.cast<Real>();
@@ -196,7 +182,7 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
 }
 
 TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
-  forEachRobot([](const Model<double>& m, const State& s, Random&) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
     Data<double> d(m);
     const auto hg = computeCentroidalMomentum(m, d, s.q, s.v).to_vector();
     const Vec through_map = computeCentroidalMap(m, d, s.q) * s.v;
@@ -362,7 +348,7 @@ TEST(Dynamics, ARobotWithAMimicEqualsTheConstrainedFreeRobot) {
 
 // crba stores quotients of masses in Data. Its results must not depend on what the same Data computed before.
 TEST(Dynamics, CrbaUsesAnInertiaThatHasChanged) {
-  forEachRobot([](const Model<double>& m, const State& s, Random& random) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random& random) {
     Model<double> changing = m;
     Data<double> d(changing, Dense::Mass);
     for (int change = 0; change < 4; ++change) {
@@ -393,7 +379,7 @@ TEST(Dynamics, APendulumAcceleratesAsComputedByHand) {
 
 TEST(Dynamics, MasslessLinksAreNamedIfTheyMakeTheDynamicsSingular) {
   Model<double> m;
-  const SE3<double> X(Matrix3<double>::Identity().eval(), V3(0.1, 0.2, 0.3));
+  const SE3<double> X = at(0.1, 0.2, 0.3);
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), X, "shoulder");
   m.appendBodyToJoint(1,
                       Inertia<double>(1, V3(0.3, 0, 0), Matrix3<double>(0.01 * Matrix3<double>::Identity())));
@@ -403,13 +389,8 @@ TEST(Dynamics, MasslessLinksAreNamedIfTheyMakeTheDynamicsSingular) {
   const Vec q = neutral(m), v = Vec::Ones(m.nv);
   EXPECT_TRUE(rnea(m, d, q, v, v).allFinite());
   EXPECT_TRUE(crba(m, d, q).allFinite());
-  const auto named = [&](auto call, const std::string& name) {
-    try {
-      call();
-      ADD_FAILURE() << "nothing was refused";
-    } catch (const SingularInertia& e) {
-      EXPECT_NE(std::string(e.what()).find("'" + name + "'"), std::string::npos) << e.what();
-    }
+  const auto named = [](auto call, const std::string& name) {
+    EXPECT_TRUE(has(refusal<SingularInertia>(call), "'" + name + "'"));
   };
   named([&] { aba(m, d, q, v, v); }, "ball");
   named([&] { computeMinverse(m, d, q); }, "ball");
@@ -435,13 +416,9 @@ TEST(Dynamics, ARobotWithoutMassHasNoCentreOfMass) {
                                            [&] { computeCentroidalMap(m, d, q); },
                                            [&] { computeCentroidalMomentum(m, d, q, v); },
                                            [&] { computeCentroidalMomentumTimeVariation(m, d, q, v, a); }};
-    for (const auto& call : calls) try {
-        call();
-        ADD_FAILURE() << "nothing was refused";
-      } catch (const std::domain_error& e) {
-        EXPECT_EQ(e.what(),
-                  "model 'ghost' has no centre of mass: the total mass of its moving bodies is " + why);
-      }
+    for (const auto& call : calls)
+      EXPECT_EQ(refusal<std::domain_error>(call),
+                "model 'ghost' has no centre of mass: the total mass of its moving bodies is " + why);
     EXPECT_FALSE(d.oMi.isFresh() || d.com.isFresh() || d.vcom.isFresh() || d.acom.isFresh() ||
                  d.Jcom.isFresh() || d.Ag.isFresh() || d.hg.isFresh() || d.dhg.isFresh());
   };
@@ -466,14 +443,10 @@ TEST(Dynamics, AnInertiaThatOverflowsIsReportedAsNotFinite) {
   m.appendBodyToJoint(2, Inertia<double>(1, V3::Zero(), Matrix3<double>::Identity().eval()));
   Data<double> d(m, Dense::Mass);
   const Vec q = Eigen::Vector2d(0, 1e200), v = Vec::Ones(m.nv);
-  for (const bool inverse : {false, true}) try {
-      inverse ? void(computeMinverse(m, d, q)) : void(aba(m, d, q, v, v));
-      ADD_FAILURE() << "nothing was refused";
-    } catch (const SingularInertia& e) {
-      EXPECT_NE(std::string(e.what()).find("'turntable' (joint 1) moves an inertia that is not finite"),
-                std::string::npos)
-          << e.what();
-    }
+  for (const bool inverse : {false, true})
+    EXPECT_TRUE(has(refusal<SingularInertia>(
+                        [&] { inverse ? void(computeMinverse(m, d, q)) : void(aba(m, d, q, v, v)); }),
+                    "'turntable' (joint 1) moves an inertia that is not finite"));
 }
 
 }  // namespace

@@ -149,16 +149,13 @@ TEST(Joints, AZeroUnitVectorIsRefusedWithTheNameOfItsJoint) {
   m.addJoint(1, Planar<double>(), SE3<double>::Identity(), "cart");
   Vec q = neutral(m);
   EXPECT_NO_THROW(checkedConfiguration(m, q));
-  EXPECT_NE(refusal([&] {
-              normalized(m, Vec(Vec::Zero(8)));
-            }).find("joint 'ball' (joint 1), q[0]: a zero quaternion"),
-            std::string::npos);
+  EXPECT_TRUE(has(refusal([&] { normalized(m, Vec(Vec::Zero(8))); }),
+                  "joint 'ball' (joint 1), q[0]: a zero quaternion"));
   q[6] = 0;
-  EXPECT_NE(
-      refusal([&] { checkedConfiguration(m, q); }).find("joint 'cart' (joint 2), q[6]: (cos, sin) = (0, 0)"),
-      std::string::npos);
+  EXPECT_TRUE(
+      has(refusal([&] { checkedConfiguration(m, q); }), "joint 'cart' (joint 2), q[6]: (cos, sin) = (0, 0)"));
   q[7] = 1.1;
-  EXPECT_NE(refusal([&] { checkedConfiguration(m, q); }).find("squared norm is not 1"), std::string::npos);
+  EXPECT_TRUE(has(refusal([&] { checkedConfiguration(m, q); }), "squared norm is not 1"));
 }
 
 TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
@@ -187,10 +184,10 @@ TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
 TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
   Model<double> m = oneOfEach(3);
   std::mt19937_64 bits(1);
-  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("lowerPositionLimit["), std::string::npos);
+  EXPECT_TRUE(has(refusal([&] { randomConfiguration(m, bits); }), "lowerPositionLimit["));
   m.lowerPositionLimit.setConstant(-0.25);
-  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("needs finite limits, lower <= upper (inf)"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has(refusal([&] { randomConfiguration(m, bits); }), "needs finite limits, lower <= upper (inf)"));
   m.lowerPositionLimit.setConstant(-0.25), m.upperPositionLimit.setConstant(0.5);
   std::mt19937_64 again(1);
   bits.seed(1);
@@ -217,17 +214,17 @@ TEST(Inertia, WhyUnphysicalNamesTheReason) {
   EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.06})), "");
   EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.07})), "");  // a flat plate
   EXPECT_EQ(whyUnphysical(of(0, {0, 0, 0})), "");
-  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.03, 0.06})).rfind("a principal moment of inertia is larger", 0), 0U);
-  EXPECT_EQ(whyUnphysical(of(2, {-0.02, 0.05, 0.05})).rfind("a principal moment of inertia is negative", 0),
-            0U);
-  EXPECT_EQ(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).rfind("the mass is negative: -2", 0), 0U);
-  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, INFINITY})).rfind("a number of the inertia is not finite: ", 0),
-            0U);
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {0.02, 0.03, 0.06})).starts_with("a principal moment of inertia is larger"));
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {-0.02, 0.05, 0.05})).starts_with("a principal moment of inertia is negative"));
+  EXPECT_TRUE(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).starts_with("the mass is negative: -2"));
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {0.02, 0.05, INFINITY})).starts_with("a number of the inertia is not finite: "));
   Matrix3<double> crooked = of(2, {0.02, 0.05, 0.06}).inertia();
   crooked(0, 1) += 1e-3;
-  EXPECT_EQ(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked))
-                .rfind("the inertia is not symmetric: two products of inertia are ", 0),
-            0U);
+  EXPECT_TRUE(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked))
+                  .starts_with("the inertia is not symmetric: two products of inertia are "));
 }
 TEST(Inertia, ThePseudoInertiaIsPositiveIfAndOnlyIfTheInertiaIsPhysical) {
   Random random(7);
@@ -255,10 +252,9 @@ TEST(Model, AnUnknownRequiredNameIsRefusedWithTheNearestNames) {
   EXPECT_EQ(m.requireJointId("head"), 4);
   EXPECT_EQ(refusal([&] { m.requireJointId("left_hop"); }),
             "no joint is named 'left_hop', the nearest are 'left_hip', 'left_knee' and 'right_hip'");
-  EXPECT_EQ(refusal([&] {
-              m.requireFrameId("haed");
-            }).rfind("no frame is named 'haed', the nearest are 'head', ", 0),
-            0U);
+  EXPECT_TRUE(refusal([&] {
+                m.requireFrameId("haed");
+              }).starts_with("no frame is named 'haed', the nearest are 'head', "));
   m.addBodyFrame("head", 4);
   EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }),
             "several frames are named 'head': give the type as well");

@@ -16,24 +16,28 @@ namespace liecheck {
 using Real = long double;
 using VecL = VectorX<Real>;
 
-extern template class Model<Real>;
-extern template class Data<Real>;
-extern template Model<Real> Model<double>::cast<Real>() const;
-extern template VectorX<Real> integrate<Real>(const Model<Real>&, const VectorX<Real>&, const VectorX<Real>&);
-extern template VectorX<Real> difference<Real>(const Model<Real>&, const VectorX<Real>&,
-                                               const VectorX<Real>&);
-extern template void forwardKinematics<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template void forwardKinematics<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
-extern template const Matrix6X<Real>& computeJointJacobians<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template const VectorX<Real>& rnea<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,
-                                                External<Real>);
-extern template const VectorX<Real>& aba<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,
-                                               External<Real>);
-extern template Real computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
-extern template Real computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template Vector3<Real> centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template Force<Real> computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>,
-                                                            In<Real>);
+#define LIECHECK_LONG_DOUBLE_MODELS(EXTERN)                                           \
+  EXTERN template class Model<Real>;                                                  \
+  EXTERN template class Data<Real>;                                                   \
+  EXTERN template Model<Real> Model<double>::cast<Real>() const;                      \
+  EXTERN template VecL integrate<Real>(const Model<Real>&, const VecL&, const VecL&); \
+  EXTERN template VecL difference<Real>(const Model<Real>&, const VecL&, const VecL&);
+#define LIECHECK_LONG_DOUBLE_ALGORITHMS(EXTERN)                                                          \
+  EXTERN template void forwardKinematics<Real>(const Model<Real>&, Data<Real>&, In<Real>);               \
+  EXTERN template void forwardKinematics<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);     \
+  EXTERN template const Matrix6X<Real>& computeJointJacobians<Real>(const Model<Real>&, Data<Real>&,     \
+                                                                    In<Real>);                           \
+  EXTERN template const VecL& rnea<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,  \
+                                         External<Real>);                                                \
+  EXTERN template const VecL& aba<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,   \
+                                        External<Real>);                                                 \
+  EXTERN template Real computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);  \
+  EXTERN template Real computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);          \
+  EXTERN template Vector3<Real> centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);           \
+  EXTERN template Force<Real> computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>, \
+                                                              In<Real>);
+LIECHECK_LONG_DOUBLE_MODELS(extern)
+LIECHECK_LONG_DOUBLE_ALGORITHMS(extern)
 
 namespace test {
 

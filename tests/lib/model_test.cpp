@@ -4,20 +4,17 @@
 
 #include <liecheck/multibody/configuration.hpp>
 
+#include "random_tree.hpp"
 #include "refusal.hpp"
 
 namespace {
 
 using namespace liecheck;
-using test::refusal;
+using test::at, test::has, test::refusal;
 using V3 = Vector3<double>;
 using M3 = Matrix3<double>;
 
 const SE3<double> origin = SE3<double>::Identity();
-
-SE3<double> at(double x, double y, double z) {
-  return {M3(M3::Identity()), V3(x, y, z)};
-}
 
 /// universe - root (free-flyer) - wheel (continuous) - arm (revolute); rail (prismatic) on root.
 Model<double> robot() {
@@ -28,10 +25,6 @@ Model<double> robot() {
   m.addJoint(wheel, Revolute<double>(Axis<double>::Z()), at(0, 2, 0), "arm");
   m.addJoint(root, Prismatic<double>(V3(0, 3, 4)), at(0, 0, 3), "rail");
   return m;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Model, AnEmptyModelHasOnlyTheUniverse) {
@@ -82,29 +75,26 @@ TEST(Model, TheIdOfAnUnknownJointIsNjointsAndOfAnUnknownFrameNframes) {
 TEST(Model, DuplicatesAndBadParentsAreRefusedByName) {
   Model<double> m = robot();
   const Joint<double> j = FreeFlyer<double>();
-  EXPECT_TRUE(contains(refusal([&] { m.addJoint(0, j, origin, "wheel"); }), "'wheel'"));
+  EXPECT_TRUE(has(refusal([&] { m.addJoint(0, j, origin, "wheel"); }), "'wheel'"));
   for (const int parent : {-1, 5}) {
     const std::string number = std::to_string(parent);
-    EXPECT_TRUE(contains(refusal([&] { m.addJoint(parent, j, origin, "new"); }), "'new' is joint " + number));
-    EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", parent); }), "'body' is joint " + number));
-    EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(parent); }), "joint " + number));
+    EXPECT_TRUE(has(refusal([&] { m.addJoint(parent, j, origin, "new"); }), "'new' is joint " + number));
+    EXPECT_TRUE(has(refusal([&] { m.addBodyFrame("body", parent); }), "'body' is joint " + number));
+    EXPECT_TRUE(has(refusal([&] { m.addJointFrame(parent); }), "joint " + number));
     EXPECT_TRUE(
-        contains(refusal([&] { m.appendBodyToJoint(parent, Inertia<double>::Zero()); }), "joint " + number));
+        has(refusal([&] { m.appendBodyToJoint(parent, Inertia<double>::Zero()); }), "joint " + number));
   }
-  EXPECT_TRUE(contains(refusal([&] {
-                         m.addFrame({"tool", 1, 7, origin, FrameType::OP_FRAME});
-                       }),
-                       "'tool' is frame 7"));
-  EXPECT_TRUE(contains(refusal([&] {
-                         m.addFrame({"tool", 1, -1, origin, FrameType::OP_FRAME});
-                       }),
-                       "frame -1"));
-  EXPECT_TRUE(contains(refusal([&] { m.addJoint(0, Universe<double>(), origin, "u"); }), "second universe"));
-  EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", 1); }), "'root' has no frame yet"));
-  EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(2); }), "'root' has no frame yet"));
+  EXPECT_TRUE(has(refusal([&] {
+                    m.addFrame({"tool", 1, 7, origin, FrameType::OP_FRAME});
+                  }),
+                  "'tool' is frame 7"));
+  EXPECT_TRUE(has(refusal([&] { m.addFrame({"tool", 1, -1, origin, FrameType::OP_FRAME}); }), "frame -1"));
+  EXPECT_TRUE(has(refusal([&] { m.addJoint(0, Universe<double>(), origin, "u"); }), "second universe"));
+  EXPECT_TRUE(has(refusal([&] { m.addBodyFrame("body", 1); }), "'root' has no frame yet"));
+  EXPECT_TRUE(has(refusal([&] { m.addJointFrame(2); }), "'root' has no frame yet"));
   m.addJointFrame(1);
   m.addBodyFrame("body", 1);
-  EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", 1); }), "named 'body'"));
+  EXPECT_TRUE(has(refusal([&] { m.addBodyFrame("body", 1); }), "named 'body'"));
   EXPECT_EQ(m.njoints, 5);
   EXPECT_EQ(m.nframes, 3);
 }
@@ -135,13 +125,13 @@ TEST(Model, AFrameWhoseParentMovesWithAnotherJointIsRefused) {
   EXPECT_EQ(refusal([&] { m.addFrame({"tool", 2, root, origin, FrameType::OP_FRAME}); }), on_root);
   EXPECT_EQ(refusal([&] { m.addBodyFrame("tool", 2, origin, root); }), on_root);
   EXPECT_EQ(refusal([&] { m.addFixedJoint("tool", 2, origin, root); }), on_root);
-  EXPECT_TRUE(contains(refusal([&] {
-                         m.addFrame({"tool", 0, wheel, origin, FrameType::SENSOR});
-                       }),
-                       "moves with joint 'wheel', not with joint 'universe'"));
+  EXPECT_TRUE(has(refusal([&] {
+                    m.addFrame({"tool", 0, wheel, origin, FrameType::SENSOR});
+                  }),
+                  "moves with joint 'wheel', not with joint 'universe'"));
   // The frame of a joint hangs on its parent joint.
-  EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(3, root); }),
-                       "moves with joint 'root', not with joint 'wheel'"));
+  EXPECT_TRUE(
+      has(refusal([&] { m.addJointFrame(3, root); }), "moves with joint 'root', not with joint 'wheel'"));
   EXPECT_EQ(m.nframes, 4);
   EXPECT_EQ(m.addJointFrame(3, wheel), 4);
   EXPECT_EQ(m.addJointFrame(4, body), 5);
@@ -157,7 +147,7 @@ TEST(Model, APlacementThatIsNotAPoseIsRefused) {
   bent(0, 1) = 1e-7;
   const auto each = [&](const SE3<double>& X, const std::string& text) {
     const auto refused = [&](auto call, const std::string& what) {
-      EXPECT_TRUE(contains(refusal(call), what + text)) << refusal(call);
+      EXPECT_TRUE(has(refusal(call), what + text)) << refusal(call);
     };
     refused([&] { m.addJoint(1, FreeFlyer<double>(), X, "new"); }, "the placement of joint 'new': ");
     refused([&] { m.addBodyFrame("tool", 1, X); }, "the placement of frame 'tool': ");
@@ -208,7 +198,7 @@ TEST(Model, ANameThatAJointAndALinkShareNeedsAFrameType) {
   const int body = m.addBodyFrame("root", 1);
   EXPECT_EQ(m.getFrameId("root", FrameType::JOINT), joint);
   EXPECT_EQ(m.getFrameId("root", FrameType::BODY), body);
-  EXPECT_TRUE(contains(refusal([&] { m.getFrameId("root"); }), "'root'"));
+  EXPECT_TRUE(has(refusal([&] { m.getFrameId("root"); }), "'root'"));
 }
 
 TEST(Model, AppendBodyToJointTransformsTheInertiaOnce) {

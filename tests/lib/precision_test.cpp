@@ -7,6 +7,8 @@
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <random>
 
+#include "scalar_test.hpp"
+
 namespace liecheck {
 namespace {
 
@@ -37,70 +39,66 @@ using Real = boost::multiprecision::number<
   return leftJacobianInverse<Real>(Motion<Real>(xi));
 }
 
-template <class S>
-class PrecisionOf : public testing::Test {
- public:
-  /// ||a - b|| / ||b|| of a block, in eps.
-  template <class A, class B>
-  static double error(const A& a, const B& b) {
-    Real square = 0, size = 0;
-    for (int j = 0; j < b.cols(); ++j)
-      for (int i = 0; i < b.rows(); ++i) {
-        const Real d = Real(a(i, j)) - b(i, j);
-        square += d * d, size += b(i, j) * b(i, j);
-      }
-    return double(sqrt(square / size)) / double(eps<S>());
-  }
-  template <Precision P>
-  static double worst() {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    double most = 0;
-    const auto take = [&most](double e) { most = e <= most ? most : e; };
-    for (int n = 0; n < 150; ++n) {
-      Vector6<S> x;
-      Vector7<S> q;
-      for (int i = 0; i < 6; ++i) x[i] = S(uniform(random));
-      for (int i = 0; i < 7; ++i) q[i] = S(uniform(random));
-      q.template tail<4>() /= q.template tail<4>().norm();
-      const double angle = n % 3 == 0 ? 3.14159 : n % 3 == 1 ? std::pow(10, 4 * uniform(random) - 4) : 2;
-      x.template tail<3>() *= S(angle) / x.template tail<3>().norm();
-      const Vector6<Real> X = x.template cast<Real>();
-      const Vector7<Real> Q = q.template cast<Real>();
-
-      const SE3<S> T = exp6<S, P>(Motion<S>(x));
-      const SE3<Real> T_exact = exact_exp6(X);
-      take(error(T.rotation(), T_exact.rotation())), take(error(T.translation(), T_exact.translation()));
-      const Vector6<S> l = log6<S, P>(T).to_vector();
-      const Vector6<Real> l_exact = exact_log6(T.template cast<Real>());
-      take(error(l.template head<3>(), Vector3<Real>(l_exact.template head<3>())));
-      take(error(l.template tail<3>(), Vector3<Real>(l_exact.template tail<3>())));
-      const Vector7<S> q1 = integrateSE3<S, P>(q, x);
-      const Vector7<Real> q1_exact = exact_integrate(Q, X);
-      take(error(q1.template tail<4>(), Vector4<Real>(q1_exact.template tail<4>())));
-      const Vector6<S> d = differenceSE3<S, P>(q, q1);
-      const Vector6<Real> d_exact = exact_difference(Q, Vector7<Real>(q1.template cast<Real>()));
-      take(error(d.template tail<3>(), Vector3<Real>(d_exact.template tail<3>())));
-      const Matrix6<S> J = leftJacobian<S, P>(Motion<S>(x)), K = leftJacobianInverse<S, P>(Motion<S>(x));
-      const Matrix6<Real> J_exact = exact_left_jacobian(X), K_exact = exact_left_jacobian_inverse(X);
-      for (const int column : {0, 3}) {
-        take(error(Matrix3<S>(J.template block<3, 3>(0, column)),
-                   Matrix3<Real>(J_exact.template block<3, 3>(0, column))));
-        take(error(Matrix3<S>(K.template block<3, 3>(0, column)),
-                   Matrix3<Real>(K_exact.template block<3, 3>(0, column))));
-      }
+/// ||a - b|| / ||b|| of a block, in eps.
+template <class S, class A, class B>
+double errorInEps(const A& a, const B& b) {
+  Real square = 0, size = 0;
+  for (int j = 0; j < b.cols(); ++j)
+    for (int i = 0; i < b.rows(); ++i) {
+      const Real d = Real(a(i, j)) - b(i, j);
+      square += d * d, size += b(i, j) * b(i, j);
     }
-    return most;
-  }
-};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(PrecisionOf, Scalars);
+  return double(sqrt(square / size)) / double(eps<S>());
+}
+template <class S, Precision P>
+double largestError() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double most = 0;
+  const auto take = [&most](double e) { most = e <= most ? most : e; };
+  for (int n = 0; n < 150; ++n) {
+    Vector6<S> x;
+    Vector7<S> q;
+    for (int i = 0; i < 6; ++i) x[i] = S(uniform(random));
+    for (int i = 0; i < 7; ++i) q[i] = S(uniform(random));
+    q.template tail<4>() /= q.template tail<4>().norm();
+    const double angle = n % 3 == 0 ? 3.14159 : n % 3 == 1 ? std::pow(10, 4 * uniform(random) - 4) : 2;
+    x.template tail<3>() *= S(angle) / x.template tail<3>().norm();
+    const Vector6<Real> X = x.template cast<Real>();
+    const Vector7<Real> Q = q.template cast<Real>();
 
-TYPED_TEST(PrecisionOf, StaysWithinItsErrorBound) {
-  EXPECT_LE(this->template worst<Precision::tight>(), 1);
-  EXPECT_LE(this->template worst<Precision::standard>(), 6);
-  EXPECT_LE(this->template worst<Precision::fast>(), 16);
-  EXPECT_GT(this->template worst<Precision::fast>(), this->template worst<Precision::tight>());
+    const SE3<S> T = exp6<S, P>(Motion<S>(x));
+    const SE3<Real> T_exact = exact_exp6(X);
+    take(errorInEps<S>(T.rotation(), T_exact.rotation())),
+        take(errorInEps<S>(T.translation(), T_exact.translation()));
+    const Vector6<S> l = log6<S, P>(T).to_vector();
+    const Vector6<Real> l_exact = exact_log6(T.template cast<Real>());
+    take(errorInEps<S>(l.template head<3>(), Vector3<Real>(l_exact.template head<3>())));
+    take(errorInEps<S>(l.template tail<3>(), Vector3<Real>(l_exact.template tail<3>())));
+    const Vector7<S> q1 = integrateSE3<S, P>(q, x);
+    const Vector7<Real> q1_exact = exact_integrate(Q, X);
+    take(errorInEps<S>(q1.template tail<4>(), Vector4<Real>(q1_exact.template tail<4>())));
+    const Vector6<S> d = differenceSE3<S, P>(q, q1);
+    const Vector6<Real> d_exact = exact_difference(Q, Vector7<Real>(q1.template cast<Real>()));
+    take(errorInEps<S>(d.template tail<3>(), Vector3<Real>(d_exact.template tail<3>())));
+    const Matrix6<S> J = leftJacobian<S, P>(Motion<S>(x)), K = leftJacobianInverse<S, P>(Motion<S>(x));
+    const Matrix6<Real> J_exact = exact_left_jacobian(X), K_exact = exact_left_jacobian_inverse(X);
+    for (const int column : {0, 3}) {
+      take(errorInEps<S>(Matrix3<S>(J.template block<3, 3>(0, column)),
+                         Matrix3<Real>(J_exact.template block<3, 3>(0, column))));
+      take(errorInEps<S>(Matrix3<S>(K.template block<3, 3>(0, column)),
+                         Matrix3<Real>(K_exact.template block<3, 3>(0, column))));
+    }
+  }
+  return most;
+}
+SCALAR_SUITE(PrecisionOf, float, double);
+
+SCALAR_TEST(PrecisionOf, StaysWithinItsErrorBound) {
+  EXPECT_LE((largestError<S, Precision::tight>()), 1);
+  EXPECT_LE((largestError<S, Precision::standard>()), 6);
+  EXPECT_LE((largestError<S, Precision::fast>()), 16);
+  EXPECT_GT((largestError<S, Precision::fast>()), (largestError<S, Precision::tight>()));
 }
 
 /// If the logarithm were rounded in between, the coupling block would err by 0.83 eps.
@@ -111,18 +109,16 @@ TEST(Precision, TightJlog6IsRoundedOnce) {
   const SE3<S> T = exp6<S>(Motion<S>(x));
   const Matrix6<S> J = Jlog6<S, Precision::tight>(T);
   const Matrix6<Real> exact = exact_Jlog6(T.cast<Real>());
-  EXPECT_LE(PrecisionOf<S>::error(Matrix3<S>(J.topRightCorner<3, 3>()),
-                                  Matrix3<Real>(exact.topRightCorner<3, 3>())),
+  EXPECT_LE(errorInEps<S>(Matrix3<S>(J.topRightCorner<3, 3>()), Matrix3<Real>(exact.topRightCorner<3, 3>())),
             0.5);
 }
 
-TYPED_TEST(PrecisionOf, TightIsFiniteIfItsProductsOverflow) {
-  using S = TypeParam;
+SCALAR_TEST(PrecisionOf, TightIsFiniteIfItsProductsOverflow) {
   const S most = std::numeric_limits<S>::max() / 4;
   Vector6<S> x;
   x << most, S(0), S(0), S(0), S(0), S(1);
-  EXPECT_LE(this->error(exp6<S, Precision::tight>(Motion<S>(x)).translation(),
-                        exact_exp6(Vector6<Real>(x.template cast<Real>())).translation()),
+  EXPECT_LE(errorInEps<S>(exp6<S, Precision::tight>(Motion<S>(x)).translation(),
+                          exact_exp6(Vector6<Real>(x.template cast<Real>())).translation()),
             4);
 }
 

@@ -6,16 +6,14 @@
 #include <liecheck/scalar/double_word.hpp>
 #include <random>
 
+#include "scalar_test.hpp"
+
 namespace liecheck {
 namespace {
 
-template <class S>
-class QuaternionProductOf : public testing::Test {};
-using Scalars = testing::Types<float, double, DoubleWord<double>>;
-TYPED_TEST_SUITE(QuaternionProductOf, Scalars);
+SCALAR_SUITE(QuaternionProductOf, float, double, DoubleWord<double>);
 
-TYPED_TEST(QuaternionProductOf, PermuteReordersTheNumbersOfAQuad) {
-  using S = TypeParam;
+SCALAR_TEST(QuaternionProductOf, PermuteReordersTheNumbersOfAQuad) {
   const auto q = permute<2, 0, 3, 3>(Quad<S>(S(1), S(2), S(3), S(4)));
   EXPECT_EQ(double(q.v[0]), 3);
   EXPECT_EQ(double(q.v[1]), 1);
@@ -25,8 +23,7 @@ TYPED_TEST(QuaternionProductOf, PermuteReordersTheNumbersOfAQuad) {
 }
 
 /// The products of the units 1, i, j, k. unit(0) = 1 is the unit of w.
-TYPED_TEST(QuaternionProductOf, ProductOfUnitsIsHamiltons) {
-  using S = TypeParam;
+SCALAR_TEST(QuaternionProductOf, ProductOfUnitsIsHamiltons) {
   const auto unit = [](int i) { return Vector4<S>(S(i == 1), S(i == 2), S(i == 3), S(i == 0)); };
   constexpr int table[4][4] = {
       {1, 2, 3, 4}, {2, -1, 4, -3}, {3, -4, -1, 2}, {4, 3, -2, -1}};  // sign times (index + 1)
@@ -71,8 +68,7 @@ TEST(QuaternionProduct, HasTwiceTheDigits) {
 }
 
 /// Translations are scaled down if splitting them would overflow. The results stay as accurate.
-TYPED_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
-  using S = TypeParam;
+SCALAR_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
   if constexpr (std::is_floating_point_v<S>) {
     const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
     const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // huge / less can be split

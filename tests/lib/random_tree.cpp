@@ -1,14 +1,12 @@
 #include "random_tree.hpp"
 
+#include <gtest/gtest.h>
+
 #include "long_double.hpp"
 
 namespace liecheck {
 
-template class Model<Real>;
-template class Data<Real>;
-template Model<Real> Model<double>::cast<Real>() const;
-template VectorX<Real> integrate<Real>(const Model<Real>&, const VectorX<Real>&, const VectorX<Real>&);
-template VectorX<Real> difference<Real>(const Model<Real>&, const VectorX<Real>&, const VectorX<Real>&);
+LIECHECK_LONG_DOUBLE_MODELS()
 
 namespace test {
 
@@ -26,30 +24,19 @@ Inertia<double> Random::body(double mass) {
 
 Joint<double> jointOfKind(int kind, Random& random) {
   const V3 axis = random.vector(1);
-  switch (kind) {
-    case 0:
-      return Revolute<double>(Axis<double>::X());
-    case 1:
-      return Revolute<double>(Axis<double>::Y());
-    case 2:
-      return Revolute<double>(axis);
-    case 3:
-      return Continuous<double>(Axis<double>::Z());
-    case 4:
-      return Continuous<double>(axis);
-    case 5:
-      return Prismatic<double>(axis);
-    case 6:
-      return Helical<double>(axis, random.uniform(-0.3, 0.3));
-    case 7:
-      return Spherical<double>();
-    case 8:
-      return Planar<double>();
-    case 9:
-      return Translation<double>();
-    default:
-      return FreeFlyer<double>();
-  }
+  const double pitch = kind == 6 ? random.uniform(-0.3, 0.3) : 0;
+  const Joint<double> all[joint_kinds] = {Revolute<double>(Axis<double>::X()),
+                                          Revolute<double>(Axis<double>::Y()),
+                                          Revolute<double>(axis),
+                                          Continuous<double>(Axis<double>::Z()),
+                                          Continuous<double>(axis),
+                                          Prismatic<double>(axis),
+                                          Helical<double>(axis, pitch),
+                                          Spherical<double>(),
+                                          Planar<double>(),
+                                          Translation<double>(),
+                                          FreeFlyer<double>()};
+  return all[kind];
 }
 
 Model<double> randomModel(unsigned seed, int n, Shape shape, double mass_ratio) {
@@ -73,6 +60,17 @@ Model<double> randomModel(unsigned seed, int n, Shape shape, double mass_ratio) 
 State randomState(const Model<double>& m, Random& random) {
   return {integrate(m, neutral(m), random.tangent(m.nv, 1.5)), random.tangent(m.nv, 2),
           random.tangent(m.nv, 3), random.tangent(m.nv, 5)};
+}
+
+void forEachRobot(unsigned first, unsigned last, unsigned most,
+                  const std::function<void(const Model<double>&, const State&, Random&)>& f) {
+  for (unsigned seed = first; seed <= last; ++seed) {
+    const unsigned n = seed <= most / 2 ? seed : most;
+    const Model<double> m = randomModel(seed, int(n), Shape(seed % 3), seed % 4 == 0 ? 1e3 : 1);
+    SCOPED_TRACE(m.name);
+    Random random(1000 + seed);
+    f(m, randomState(m, random), random);
+  }
 }
 
 VecL along(const Model<Real>& m, const State& s, Real t) {

@@ -1,6 +1,7 @@
 #pragma once
 // Random robots of every joint type, and states of them.
 
+#include <functional>
 #include <liecheck/multibody/configuration.hpp>
 #include <random>
 
@@ -38,6 +39,11 @@ Joint<double> jointOfKind(int kind, Random& random);
 
 enum class Shape { Chain, Star, Tree };
 
+/// A pose without rotation.
+inline SE3<double> at(double x, double y, double z) {
+  return {Matrix3<double>(Matrix3<double>::Identity()), V3(x, y, z)};
+}
+
 /// n joints, which cycle through all kinds from a random one. Masses decrease from 1 kg to 1/mass_ratio kg.
 Model<double> randomModel(unsigned seed, int n, Shape shape = Shape::Tree, double mass_ratio = 1);
 
@@ -45,6 +51,15 @@ struct State {
   Vec q, v, a, tau;
 };
 State randomState(const Model<double>& m, Random& random);
+
+/// Calls f(model, state, random) for chains, stars and trees of every joint type, one for each seed: of so many joints
+/// as the seed up to half of `most`, then of `most`. The masses of every fourth differ by a factor of 1000.
+void forEachRobot(unsigned first, unsigned last, unsigned most,
+                  const std::function<void(const Model<double>&, const State&, Random&)>& f);
+/// Relative error bound of a sum of nv terms, each of a few operations: 8 nv eps of the sum of their sizes.
+inline double budget(const Model<double>& m) {
+  return 8 * m.nv * eps<double>();
+}
 
 /// |a - b| / max(|a|, |b|, floor).
 template <class A, class B>

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <functional>
 #include <liecheck/scalar/stumpff.hpp>
+#include <optional>
 #include <random>
 #include <vector>
+
+#include "scalar_test.hpp"
 
 namespace liecheck {
 namespace {
@@ -35,121 +39,86 @@ struct ClosedForms {
   }
 };
 
+/// Values of theta^2 in [0, 9.8] (pi^2 = 9.87): chosen ones, log-uniform ones from 1e-30, uniform ones.
 template <class S>
-class StumpffOf : public testing::Test {
- public:
-  /// Values of theta^2 in [0, 9.8] (pi^2 = 9.87): chosen ones, log-uniform ones from 1e-30, uniform ones.
-  static std::vector<S> squared_angles() {
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> exponent(-30, std::log10(9.8));
-    std::vector<S> all{std::numeric_limits<S>::denorm_min(), S(1e-30), S(1), S(2.25), S(4), S(9)};
-    for (int i = 0; i < 1500; ++i) all.push_back(S(std::pow(10.0, exponent(random))));
-    for (int i = 0; i < 1500; ++i)
-      all.push_back(S(9.8 * std::uniform_real_distribution<double>(0, 1)(random)));
-    std::erase_if(all, [](S x) { return !within_pi(x); });
-    return all;
-  }
-};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(StumpffOf, Scalars);
+std::vector<S> squaredAngles() {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> exponent(-30, std::log10(9.8));
+  std::vector<S> all{std::numeric_limits<S>::denorm_min(), S(1e-30), S(1), S(2.25), S(4), S(9)};
+  for (int i = 0; i < 1500; ++i) all.push_back(S(std::pow(10.0, exponent(random))));
+  for (int i = 0; i < 1500; ++i) all.push_back(S(9.8 * std::uniform_real_distribution<double>(0, 1)(random)));
+  std::erase_if(all, [](S x) { return !within_pi(x); });
+  return all;
+}
+SCALAR_SUITE(StumpffOf, float, double);
 
-/// The largest value of |ours - exact| / max(|exact|, floor) over the sample, in eps.
-template <class S, class Ours, class Truth>
-double worst(const std::vector<S>& xs, double floor, Ours ours, Truth truth) {
+/// Expects that |ours - exact| / max(|exact|, floor) is at most `bound` eps over the sample. `ours` and `truth` are members
+/// or functions.
+template <class S, class Input, class Ours, class Truth>
+void expectWithin(double bound, double floor, Input input, Ours ours, Truth truth) {
   double most = 0;
-  for (const S x : xs) {
+  for (const S x : squaredAngles<S>()) {
     if (x < S(1e-30)) continue;  // too few digits are left; LimitsAtZeroAreExactToHalfAnUlp tests these
-    const Real exact = truth(ClosedForms(Real(x)));
-    const Real error = abs(Real(ours(x)) - exact) / (std::max)(Real(abs(exact)), Real(floor));
+    if (!input(x)) continue;
+    const Real exact = std::invoke(truth, ClosedForms(Real(x)));
+    const Real error =
+        abs(Real(std::invoke(ours, *input(x))) - exact) / (std::max)(Real(abs(exact)), Real(floor));
     const double in_eps = double(error) / double(eps<S>());
     EXPECT_TRUE(std::isfinite(in_eps)) << x;
     most = (std::max)(most, in_eps);
   }
-  return most;
+  EXPECT_LE(most, bound);
+}
+/// The coefficients at x, which HalfAngle(4 x) holds if 4 x is within pi^2; those of HalfAngle(x); and the inverse's.
+template <class S>
+std::optional<HalfAngle<S>> atX(S x) {
+  return within_pi(S(4) * x) ? std::optional(HalfAngle<S>(S(4) * x)) : std::nullopt;
+}
+template <class C, class S>
+std::optional<C> of(S x) {
+  return C(x);
 }
 
-TYPED_TEST(StumpffOf, C2ToC5KeepTheirRelativeBounds) {
-  using S = TypeParam;
-  auto xs = this->squared_angles();
-  std::erase_if(xs, [](S x) { return !within_pi(S(4) * x); });
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c2; }, [](const ClosedForms& f) { return f.c2; }),
-      0.7);
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c3; }, [](const ClosedForms& f) { return f.c3; }),
-      0.9);
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c4; }, [](const ClosedForms& f) { return f.c4; }),
-      1.1);
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c5; }, [](const ClosedForms& f) { return f.c5; }),
-      1.1);
+SCALAR_TEST(StumpffOf, C2ToC5KeepTheirRelativeBounds) {
+  expectWithin<S>(0.7, 0, atX<S>, &HalfAngle<S>::c2, &ClosedForms::c2);
+  expectWithin<S>(0.9, 0, atX<S>, &HalfAngle<S>::c3, &ClosedForms::c3);
+  expectWithin<S>(1.1, 0, atX<S>, &HalfAngle<S>::c4, &ClosedForms::c4);
+  expectWithin<S>(1.1, 0, atX<S>, &HalfAngle<S>::c5, &ClosedForms::c5);
 }
 
-TYPED_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {
-  using S = TypeParam;
-  auto xs = this->squared_angles();
-  std::erase_if(xs, [](S x) { return !within_pi(S(4) * x); });
-  EXPECT_LE(
-      worst(
-          xs, 1, [](S x) { return HalfAngle<S>(S(4) * x).c0; }, [](const ClosedForms& f) { return f.c0; }),
-      1.5);
-  EXPECT_LE(
-      worst(
-          xs, 1, [](S x) { return HalfAngle<S>(S(4) * x).c1; }, [](const ClosedForms& f) { return f.c1; }),
-      1.5);
+SCALAR_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {
+  expectWithin<S>(1.5, 1, atX<S>, &HalfAngle<S>::c0, &ClosedForms::c0);
+  expectWithin<S>(1.5, 1, atX<S>, &HalfAngle<S>::c1, &ClosedForms::c1);
 }
 
-TYPED_TEST(StumpffOf, SlopesOfC2AndC3KeepTheirRelativeBounds) {
-  using S = TypeParam;
-  const auto xs = this->squared_angles();
-  EXPECT_LE(worst(
-                xs, 0, [](S x) { return HalfAngle<S>(x).second_slope(); },
-                [](const ClosedForms& f) { return Real(f.c3 - 2 * f.c4); }),
-            2.6);
-  EXPECT_LE(worst(
-                xs, 0, [](S x) { return HalfAngle<S>(x).third_slope(); },
-                [](const ClosedForms& f) { return Real(f.c4 - 3 * f.c5); }),
-            2.4);
+SCALAR_TEST(StumpffOf, SlopesOfC2AndC3KeepTheirRelativeBounds) {
+  expectWithin<S>(2.6, 0, of<HalfAngle<S>, S>, &HalfAngle<S>::second_slope,
+                  [](const ClosedForms& f) { return Real(f.c3 - 2 * f.c4); });
+  expectWithin<S>(2.4, 0, of<HalfAngle<S>, S>, &HalfAngle<S>::third_slope,
+                  [](const ClosedForms& f) { return Real(f.c4 - 3 * f.c5); });
 }
 
-TYPED_TEST(StumpffOf, InverseCoefficientAndItsSlopeKeepTheirBounds) {
-  using S = TypeParam;
-  const auto xs = this->squared_angles();
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return InverseCoefficient<S>(x).d; }, [](const ClosedForms& f) { return f.d; }),
-      2.6);
-  EXPECT_LE(
-      worst(
-          xs, 0, [](S x) { return InverseCoefficient<S>(x).d2; }, [](const ClosedForms& f) { return f.d2; }),
-      5);
+SCALAR_TEST(StumpffOf, InverseCoefficientAndItsSlopeKeepTheirBounds) {
+  expectWithin<S>(2.6, 0, of<InverseCoefficient<S>, S>, &InverseCoefficient<S>::d, &ClosedForms::d);
+  expectWithin<S>(5, 0, of<InverseCoefficient<S>, S>, &InverseCoefficient<S>::d2, &ClosedForms::d2);
 }
 
-TYPED_TEST(StumpffOf, HalfAnglesKeepTheirBounds) {
-  using S = TypeParam;
-  const auto xs = this->squared_angles();
-  const auto half = [](const auto& pick) { return [pick](S x) { return pick(HalfAngle<S>(x)); }; };
+SCALAR_TEST(StumpffOf, HalfAnglesKeepTheirBounds) {
   // HalfAngle(x) has the coefficients at x/4: c0 = cos(theta/2), sine_over_angle() = sin(theta/2) / theta.
   // The references are computed from theta/2 at 150 digits.
   double sine = 0, cosine = 0;
-  for (const S x : xs) {
+  for (const S x : squaredAngles<S>()) {
     if (x < S(1e-30)) continue;
     const Real t = sqrt(Real(x));
     const Real s = sin(t / 2) / t, c = cos(t / 2);
-    sine = (std::max)(sine, double(abs(Real(half([](auto h) { return h.sine_over_angle(); })(x)) - s) / s));
-    cosine = (std::max)(cosine, double(abs(Real(half([](auto h) { return h.c0; })(x)) - c)));
+    sine = (std::max)(sine, double(abs(Real(HalfAngle<S>(x).sine_over_angle()) - s) / s));
+    cosine = (std::max)(cosine, double(abs(Real(HalfAngle<S>(x).c0) - c)));
   }
   EXPECT_LE(sine / double(eps<S>()), 0.6);
   EXPECT_LE(cosine / double(eps<S>()), 0.6);
 }
 
-TYPED_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
-  using S = TypeParam;
+SCALAR_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
   for (const S x : {S(0), std::numeric_limits<S>::denorm_min()}) {
     const HalfAngle<S> c(x);
     EXPECT_EQ(c.c0, S(1));
@@ -166,16 +135,14 @@ TYPED_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
   }
 }
 
-TYPED_TEST(StumpffOf, WithinPiEndsAtPi) {
-  using S = TypeParam;
+SCALAR_TEST(StumpffOf, WithinPiEndsAtPi) {
   EXPECT_TRUE(within_pi(S(9.8696)));
   EXPECT_FALSE(within_pi(S(9.8697)));
   EXPECT_FALSE(within_pi(std::numeric_limits<S>::infinity()));
   EXPECT_FALSE(within_pi(std::numeric_limits<S>::quiet_NaN()));
 }
 
-TYPED_TEST(StumpffOf, LogarithmCoefficientsAreRightAtZeroAndPi) {
-  using S = TypeParam;
+SCALAR_TEST(StumpffOf, LogarithmCoefficientsAreRightAtZeroAndPi) {
   const LogarithmCoefficients<S> zero(S(0), S(1)), at_pi(S(1), S(0));
   EXPECT_EQ(zero.angle_over_sine, S(2));
   EXPECT_EQ(zero.alpha, S(1));
@@ -185,8 +152,7 @@ TYPED_TEST(StumpffOf, LogarithmCoefficientsAreRightAtZeroAndPi) {
   EXPECT_EQ(at_pi.along, S(1));
 }
 
-TYPED_TEST(StumpffOf, LogarithmCoefficientsKeepTheirBoundsForAllAngles) {
-  using S = TypeParam;
+SCALAR_TEST(StumpffOf, LogarithmCoefficientsKeepTheirBoundsForAllAngles) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> exponent(-18, 0);
   double ratio = 0, alpha = 0;

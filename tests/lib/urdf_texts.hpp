@@ -5,6 +5,8 @@
 
 #include <liecheck/urdf/urdf.hpp>
 
+#include "refusal.hpp"
+
 namespace liecheck::test {
 
 using V3 = Vector3<double>;
@@ -40,18 +42,18 @@ inline std::string refusal(const std::string& text, RootJoint root = RootJoint::
   } catch (const UrdfError& e) {
     said = e.what();
     EXPECT_EQ(e.file(), "bad.urdf");
-    EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(e.line()) + ": ", 0), 0U) << said;
+    EXPECT_TRUE(said.starts_with("bad.urdf:" + std::to_string(e.line()) + ": ")) << said;
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  EXPECT_FALSE(has(said, "\n"));
   return said;
 }
 /// Expects that the message names `line`, contains `words`, and ends with `value` in parentheses.
 inline void expectRefused(const std::string& text, int line, const std::string& words,
                           const std::string& value) {
   const std::string said = refusal(text);
-  EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(line) + ": ", 0), 0U) << said;
-  EXPECT_NE(said.find(words), std::string::npos) << said;
+  EXPECT_TRUE(said.starts_with("bad.urdf:" + std::to_string(line) + ": ")) << said;
+  EXPECT_TRUE(has(said, words));
   EXPECT_TRUE(said.ends_with("(" + value + ")")) << said;
 }
 
