@@ -33,6 +33,10 @@ inline SO3<double> attitude(const Vec& q, int at = 0) {
 inline V3 velocity(const scene::Run& run) {
   return attitude(run.q).act(V3(run.v.head<3>()));
 }
+/// The angular velocity in the world.
+inline V3 spin(const scene::Run& run) {
+  return attitude(run.q).act(V3(run.v.tail<3>()));
+}
 /// A number as a scene file has it.
 inline std::string number(double x) {
   char text[32];
@@ -46,15 +50,6 @@ inline std::string vector(const V3& x) {
 inline std::string file(const std::string& name, const std::string& content) {
   std::ofstream(testing::TempDir() + "/" + name, std::ios::binary) << content;
   return name;
-}
-/// The message with which a scene is refused.
-inline std::string refusal(const std::string& text) {
-  try {
-    loadSceneText(text, "s.yaml", testing::TempDir());
-  } catch (const SceneError& e) {
-    return e.what();
-  }
-  return "accepted";
 }
 inline std::string radau(double duration, const std::string& tolerance = "1e-9", int samples = 1) {
   return "integrator: {name: radau5, tolerance: " + tolerance + "}\nduration: " + number(duration) +

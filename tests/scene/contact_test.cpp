@@ -4,48 +4,29 @@
 
 #include <numbers>
 
-#include "bodies.hpp"
+#include "contact_run.hpp"
 
 namespace {
 
 using namespace liecheck;
 using namespace liecheck::test;
 
-constexpr double g = 9.81, m = 2, r = 0.1;
+constexpr double m = 2, r = 0.1;
 
-struct End {
-  Vec q, v;
-  V3 velocity, spin;  ///< in the world's axes
-};
 /// The end of a motion by radau5; `text` has all but integrator and duration.
-End end(const std::string& text, double duration, const std::string& tolerance = "1e-9") {
-  const scene::Scene s = loadSceneText(text + "integrator: {name: radau5, tolerance: " + tolerance +
-                                       "}\nduration: " + std::to_string(duration) +
-                                       " s\noutput: {every: " + std::to_string(duration) + " s}\n");
-  auto system = scene::makeSystem<Body>(s);
-  scene::State<Body> state(system, s.q, s.v);
-  const auto method = scene::makeMethod<Body>(s.integrator, s.options);
-  const auto outcome =
-      scene::simulate(system, *method, state, s.span, [](const auto&, long) { return true; });
-  EXPECT_FALSE(outcome.diverged) << outcome.t << " s: " << outcome.why;
-  const SO3<double> Q(Vector4<double>(state.q.tail<4>()));
-  const Moment m = momentOf(system, state);
-  return {m.q, m.v, state.v.head<3>(), Q.act(V3(state.v.tail<3>()))};
+scene::Run end(const std::string& text, double duration, const std::string& tolerance = "1e-9") {
+  return runOf(text + radau(duration, tolerance));
 }
 
 /// A ball of 2 kg and 0.1 m whose contact starts with the compression at rest. `normal` is that of the ground, which
 /// contains the origin.
 std::string ball(const std::string& start, const std::string& contact, const V3& normal = V3(0, 0, 1)) {
   const double stiffness = 1e5, height = r - m * g * normal[2] / stiffness;  // along the normal
-  char text[600];
-  std::snprintf(
-      text, sizeof text,
-      "robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0, normal: [%.17g, %.17g, %.17g]}\n"
-      "initial: {position: [%.17g, %.17g, %.17g], %s}\neffects:\n  - gravity\n"
-      "  - contact: {frames: [body], radius: 0.1, stiffness: 1e5 N/m, slip: 1e-5, %s}\n",
-      normal[0], normal[1], normal[2], height * normal[0], height * normal[1], height * normal[2],
-      start.c_str(), contact.c_str());
-  return text;
+  return "robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0, normal: " + vector(normal) +
+         "}\ninitial: {position: " + vector(height * normal) + ", " + start +
+         "}\neffects:\n  - gravity\n  - contact: {frames: [body], radius: 0.1, stiffness: 1e5 N/m, slip: "
+         "1e-5, " +
+         contact + "}\n";
 }
 V3 slope(double angle) {
   return {std::sin(angle), 0, std::cos(angle)};
@@ -55,33 +36,33 @@ V3 slope(double angle) {
 TEST(Contact, ABallThatSlidesRollsAfterTheTimeOfTheClosedForm) {
   const double v0 = 2, mu = 0.3, rolls = 2 * v0 / (7 * mu * g);
   const std::string text = ball("velocity: [2, 0, 0]", "friction: 0.3");
-  const End before = end(text, 0.9 * rolls), after = end(text, 2 * rolls);
-  EXPECT_NEAR(before.velocity[0], v0 - mu * g * 0.9 * rolls, 1e-4);
-  EXPECT_NEAR(before.spin[1], mu * g * 0.9 * rolls / (0.4 * r), 1e-3);
-  EXPECT_NEAR(after.velocity[0], v0 * 5 / 7, 1e-4);
-  EXPECT_NEAR(after.spin[1] * r, v0 * 5 / 7, 1e-4);
+  const scene::Run before = end(text, 0.9 * rolls), after = end(text, 2 * rolls);
+  EXPECT_NEAR(velocity(before)[0], v0 - mu * g * 0.9 * rolls, 1e-4);
+  EXPECT_NEAR(spin(before)[1], mu * g * 0.9 * rolls / (0.4 * r), 1e-3);
+  EXPECT_NEAR(velocity(after)[0], v0 * 5 / 7, 1e-4);
+  EXPECT_NEAR(spin(after)[1] * r, v0 * 5 / 7, 1e-4);
 }
 
 /// It rolls with 5/7 g sin(a) if tan(a) <= 7/2 mu, and slides with g (sin(a) - mu cos(a)) on a steeper slope.
 TEST(Contact, ABallOnASlopeRollsOrSlidesOnBothSidesOfTheCriticalSlope) {
   const double mu = 0.2, critical = std::atan(3.5 * mu), t = 0.4;
   for (const double angle : {0.9 * critical, 1.1 * critical}) {
-    const End e = end(ball("velocity: [0, 0, 0]", "friction: 0.2", slope(angle)), t);
+    const scene::Run e = end(ball("velocity: [0, 0, 0]", "friction: 0.2", slope(angle)), t);
     const double rolls = 5. / 7 * g * std::sin(angle), slides = g * (std::sin(angle) - mu * std::cos(angle));
-    EXPECT_NEAR(e.velocity.norm(), t * (angle < critical ? rolls : slides), 2e-4) << angle;
-    EXPECT_GT(e.velocity[0], 0);
+    EXPECT_NEAR(velocity(e).norm(), t * (angle < critical ? rolls : slides), 2e-4) << angle;
+    EXPECT_GT(velocity(e)[0], 0);
   }
 }
 
 /// A rolling resistance rho N brakes a rolling ball with 5/7 rho g/r, and torsion stops a spin with tau m g/I.
 TEST(Contact, RollingAndTorsionalFrictionBrakeAsTheirClosedForms) {
-  const End rolled = end(ball("velocity: [1, 0, 0], angular_velocity: [0, 10, 0]",
-                              "friction: 0.5, rolling: 2 mm, "
-                              "angular_slip: 1e-4"),
-                         1);
-  EXPECT_NEAR(rolled.velocity[0], 1 - 5. / 7 * 0.002 * g / r, 1e-4);
-  const End spun = end(ball("angular_velocity: [0, 0, 30]", "torsion: 1 mm, angular_slip: 1e-4"), 1);
-  EXPECT_NEAR(spun.spin[2], 30 - 0.001 * g / (0.4 * r * r), 1e-4);
+  const scene::Run rolled = end(ball("velocity: [1, 0, 0], angular_velocity: [0, 10, 0]",
+                                     "friction: 0.5, rolling: 2 mm, "
+                                     "angular_slip: 1e-4"),
+                                1);
+  EXPECT_NEAR(velocity(rolled)[0], 1 - 5. / 7 * 0.002 * g / r, 1e-4);
+  const scene::Run spun = end(ball("angular_velocity: [0, 0, 30]", "torsion: 1 mm, angular_slip: 1e-4"), 1);
+  EXPECT_NEAR(spin(spun)[2], 30 - 0.001 * g / (0.4 * r * r), 1e-4);
 }
 
 /// On a slope below the critical angle atan(mu) the box creeps with v_s s/sqrt(1 - s^2), s = tan(a)/mu; above it slides.
@@ -90,20 +71,15 @@ TEST(Contact, ABoxOnASlopeCreepsOrSlidesOnBothSidesOfTheCriticalAngle) {
   for (const double share : {0.9, 1.1}) {
     const double angle = std::atan(share * mu), depth = m * g * std::cos(angle) / (4 * stiffness);
     const V3 n = slope(angle), at = (0.05 - depth) * n;
-    char text[1200];
-    std::snprintf(
-        text, sizeof text,
-        "robot: {body: box, mass: 2 kg, size: [2, 2, 0.1]}\nground: {height: 0, normal: [%.17g, 0, %.17g]}\n"
-        "frames:\n  - {name: c1, on: body, position: [1, 1, -0.05]}\n"
-        "  - {name: c2, on: body, position: [-1, 1, -0.05]}\n"
-        "  - {name: c3, on: body, position: [-1, -1, -0.05]}\n"
-        "  - {name: c4, on: body, position: [1, -1, -0.05]}\n"
-        "initial: {position: [%.17g, 0, %.17g], attitude: [0, %.17g, 0]}\neffects:\n  - gravity\n"
-        "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e5, dissipation: 5, friction: 0.5, slip: "
-        "1e-4}\n",
-        n[0], n[2], at[0], at[2], angle);
-    const End e = end(text, t);
-    const double along = e.velocity.dot(V3(std::cos(angle), 0, -std::sin(angle)));
+    const scene::Run e =
+        end("robot: {body: box, mass: 2 kg, size: [2, 2, 0.1]}\nground: {height: 0, normal: " + vector(n) +
+                "}\n" + corners(1, 1, -0.05) + "initial: {position: " + vector(at) + ", attitude: [0, " +
+                number(angle) +
+                ", 0]}\neffects:\n  - gravity\n"
+                "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e5, dissipation: 5, friction: 0.5, "
+                "slip: 1e-4}\n",
+            t);
+    const double along = velocity(e).dot(V3(std::cos(angle), 0, -std::sin(angle)));
     if (share < 1)
       EXPECT_NEAR(along, slip * share / std::sqrt(1 - share * share), 0.02 * slip);
     else
@@ -116,13 +92,13 @@ TEST(Contact, ABoxOnASlopeCreepsOrSlidesOnBothSidesOfTheCriticalAngle) {
 TEST(Contact, AReboundHasTheRestitutionOfHuntAndCrossley) {
   for (const double c : {0.1, 0.5, 2.0}) {
     const double v0 = 1.5;
-    const End e =
+    const scene::Run e =
         end("robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0}\n"
             "initial: {position: [0, 0, 0.2], velocity: [0, 0, -1.5]}\neffects:\n"
             "  - contact: {frames: [body], radius: 0.1, stiffness: 1e4, dissipation: " +
                 std::to_string(c) + "}\n",
             0.3, "1e-11");
-    const double v1 = e.velocity[2];
+    const double v1 = velocity(e)[2];
     EXPECT_GT(v1, 0);
     EXPECT_NEAR(c * v0 - std::log1p(c * v0), -c * v1 - std::log1p(-c * v1), 1e-8) << c;
   }
@@ -163,19 +139,14 @@ TEST(Contact, ATiltedBlockFallsBackAsAPendulumAndRocksOnItsOtherEdge) {
     const double middle = phi + dt / 2 * rate, faster = rate + dt / 2 * pull(phi);
     phi += dt * faster, rate += dt * pull(middle);
   }
-  char text[1200];
-  std::snprintf(
-      text, sizeof text,
-      "robot: {body: box, mass: 2 kg, size: [0.2, 0.3, 1]}\nground: {height: 0}\nframes:\n"
-      "  - {name: c1, on: body, position: [0.1, 0.15, -0.5]}\n"
-      "  - {name: c2, on: body, position: [-0.1, 0.15, -0.5]}\n"
-      "  - {name: c3, on: body, position: [-0.1, -0.15, -0.5]}\n"
-      "  - {name: c4, on: body, position: [0.1, -0.15, -0.5]}\n"
-      "initial: {position: [%.17g, 0, %.17g], attitude: [0, %.17g, 0]}\neffects:\n  - gravity\n"
-      "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e6, dissipation: 1, friction: 2, slip: 1e-4}\n",
-      -R * std::sin(a - tilt), R * std::cos(a - tilt) - depth, tilt);
-  scene::Scene s =
-      loadSceneText(std::string(text) + "integrator: {name: radau5, tolerance: 1e-7}\nduration: 1 s\n");
+  scene::Scene s = loadSceneText(
+      "robot: {body: box, mass: 2 kg, size: [0.2, 0.3, 1]}\nground: {height: 0}\n" +
+      corners(0.1, 0.15, -0.5) +
+      "initial: {position: " + vector(V3(-R * std::sin(a - tilt), 0, R * std::cos(a - tilt) - depth)) +
+      ", attitude: [0, " + number(tilt) +
+      ", 0]}\neffects:\n  - gravity\n"
+      "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e6, dissipation: 1, friction: 2, slip: 1e-4}\n"
+      "integrator: {name: radau5, tolerance: 1e-7}\nduration: 1 s\n");
   s.span = {1.4 * t, 14, 1};
   auto system = scene::makeSystem<Body>(s);
   scene::State<Body> state(system, s.q, s.v);

@@ -161,7 +161,7 @@ TEST(Estimate, NamesTheEnergyThatASceneMustKeep) {
       "integrator: {name: euler, step: 5 ms}\n");
   const scene::Run run = scene::run(s, {}, true);
   ASSERT_EQ(run.estimate->alarms.size(), 1U);
-  EXPECT_NE(run.estimate->alarms[0].what.find("energy"), std::string::npos);
+  EXPECT_TRUE(has(run.estimate->alarms[0].what, "energy"));
   EXPECT_GT(run.estimate->alarms[0].t, 0);
 }
 
@@ -179,8 +179,7 @@ TEST(Estimate, NamesTheStiffestEffectAndAStepThatIsStable) {
   EXPECT_EQ(scene::stiffestEffect(setup, setup.start), "joint_damping");
   const scene::Run run = scene::run(s, {}, true);
   ASSERT_FALSE(run.estimate->alarms.empty());
-  EXPECT_NE(run.estimate->alarms[0].cause.find("stability limit of 'joint_damping'"), std::string::npos)
-      << run.estimate->alarms[0].cause;
+  EXPECT_TRUE(has(run.estimate->alarms[0].cause, "stability limit of 'joint_damping'"));
 }
 
 TEST(Estimate, APendulumUpsideDownIsUnstableAndItsMethodIsNot) {

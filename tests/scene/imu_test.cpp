@@ -7,22 +7,14 @@
 #include <tuple>
 #include <vector>
 
-#include "bodies.hpp"
+#include "contact_run.hpp"
 
 namespace {
 
 using namespace liecheck;
+using test::column;
 namespace sc = liecheck::scene;
 
-/// Column `name` of a run.
-std::vector<double> column(const sc::Run& run, const std::string& name) {
-  std::vector<double> x;
-  for (std::size_t i = 0; i < run.columns.size(); ++i)
-    if (run.columns[i].name == name)
-      for (std::size_t r = i; r < run.rows.size(); r += run.columns.size()) x.push_back(run.rows[r]);
-  EXPECT_FALSE(x.empty()) << name;
-  return x;
-}
 sc::Run watched(const std::string& imu, const std::string& motion, const std::string& duration) {
   return sc::run(loadSceneText("robot: {body: box, size: [0.3, 0.1, 0.2], centre: [0.1, -0.2, 0.05]}\n" +
                                    motion + "integrator: {name: rkmk4, step: 10 ms}\nduration: " + duration +

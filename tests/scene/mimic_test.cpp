@@ -67,17 +67,13 @@ TEST(Mimic, MovesAsTheRobotWhoseTieIsEliminatedByHand) {
     const Recorded run(
         tiedRods(damping > 0 ? ", joint_damping: {coefficient: 0.4}" : "", "gauss6, step: 5 ms"));
     ASSERT_EQ(run.scene.model.nv, 1);
-    double x = 1.2, v = 0.5;
+    Eigen::Vector2d x(1.2, 0.5);
     for (std::size_t i = 1; i < run["t"].size(); ++i) {
-      const double h = 1e-3;
-      for (int k = 0; k < 100; ++k) {  // the classical Runge-Kutta method; its error is below 1e-11
-        const auto a = [&](double dx, double dv) { return TiedRods::acceleration(x + dx, v + dv, damping); };
-        const double a1 = a(0, 0), a2 = a(h / 2 * v, h / 2 * a1),
-                     a3 = a(h / 2 * (v + h / 2 * a1), h / 2 * a2), a4 = a(h * (v + h / 2 * a2), h * a3);
-        x += h * v + h * h / 6 * (a1 + a2 + a3), v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-      }
-      EXPECT_NEAR(run["q.hip"][i], x, 1e-9);
-      EXPECT_NEAR(run["v.hip"][i], v, 1e-9);
+      rungeKutta(x, 1e-3, 100, [&](const auto& y) {  // its error is below 1e-11
+        return Eigen::Vector2d(y[1], TiedRods::acceleration(y[0], y[1], damping));
+      });
+      EXPECT_NEAR(run["q.hip"][i], x[0], 1e-9);
+      EXPECT_NEAR(run["v.hip"][i], x[1], 1e-9);
       EXPECT_NEAR(run["a.hip"][i], TiedRods::acceleration(run["q.hip"][i], run["v.hip"][i], damping), 1e-11);
       EXPECT_NEAR(run["energy"][i], TiedRods::energy(run["q.hip"][i], run["v.hip"][i]), 1e-13 * 10);
       // the tie: the shank's angle about x is 0.3 - hip, exactly at all times

@@ -102,12 +102,7 @@ TEST(AddedMass, MovesABodyByKirchhoffsEquations) {
     dx << P.cross(omega), L.cross(omega) + P.cross(u);
     return dx;
   };
-  const double dt = 1e-3;
-  for (int i = 0; i < 3000; ++i) {
-    const Vector6<double> a = rate(h), b = rate(h + dt / 2 * a), c = rate(h + dt / 2 * b),
-                          d = rate(h + dt * c);
-    h += dt / 6 * (a + 2 * b + 2 * c + d);
-  }
+  rungeKutta(h, 1e-3, 3000, rate);
   const char* const parts[] = {"x", "y", "z", "wx", "wy", "wz"};
   for (int k = 0; k < 6; ++k)
     EXPECT_NEAR(run[std::string("v.root_joint.") + parts[k]].back(), h[k] / (k < 3 ? m[k] : j[k - 3]), 1e-10)

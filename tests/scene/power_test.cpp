@@ -33,7 +33,7 @@ TEST(Power, OfGravityIsTheWeightTimesTheVelocityOfTheCentreOfMass) {
       "integrator: {name: rkmk4, step: 10 ms}\nduration: 0.5 s\nobservers: [power, momentum]\n");
   for (std::size_t i = 0; i < run["t"].size(); i += 10)
     EXPECT_NEAR(run["power.gravity"][i], -9.81 * run["P_z"][i], 1e-11);
-  EXPECT_EQ(run.names().find("work.gravity"), std::string::npos);  // its potential is in the energy
+  EXPECT_FALSE(has(run.names(), "work.gravity"));  // its potential is in the energy
 }
 
 struct Ledger {

@@ -1,13 +1,10 @@
 // scene/saved_run.hpp: a run that continues a saved one gives the same bits as the whole run.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
-#include "../scratch.hpp"
+#include "program.hpp"
 #include "recorded.hpp"
 
 namespace {
@@ -120,66 +117,46 @@ TEST(SavedRun, IsRefusedWhereAnObserverReadsEveryStep) {
   EXPECT_THROW(scene::run(s, {}, false, {[](const scene::SavedRun&) {}, nullptr, 1}), std::invalid_argument);
 }
 
-std::string scratchFile(const std::string& name, const std::string& text) {
-  const std::string path = liecheck::scratch() + name;
-  std::ofstream(path) << text;
-  return path;
-}
 std::string contents(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
 }
-/// The exit code of the program, and its output on both streams.
-std::pair<int, std::string> program(const std::string& arguments) {
-  std::FILE* pipe =
-      ::popen(("(" + std::string(LIECHECK_PROGRAM) + " scene " + arguments + ") 2>&1").c_str(), "r");
-  std::string said;
-  for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said += char(c);
-  const int status = ::pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
-}
-
 TEST(SavedRunOfTheProgram, ThatASignalStoppedIsResumedToTheSameCsv) {
-  const std::string scene = scratchFile(
+  const std::string scene = written(
       "saved.yaml",
       "robot: {body: box, size: [1, 2, 3]}\ninitial: {angular_velocity: [0.3, 1, 0.2]}\neffects: [gravity]\n"
       "integrator: {name: rkmk4, step: 1 ms}\nduration: 3000 s\noutput: {every: 1 s}\n"
       "observers: [energy, frame: {frame: body}]\n");
-  const std::string run = "run --no-estimate " + scene, saved = liecheck::scratch() + "saved.checkpoint",
+  const std::string run = "scene run --no-estimate " + scene,
+                    saved = liecheck::scratch() + "saved.checkpoint",
                     whole = liecheck::scratch() + "whole.csv", rest = liecheck::scratch() + "rest.csv";
-  EXPECT_EQ(program(run + " --csv " + whole).first, 0);
+  expectSaid(run + " --csv " + whole, 0);
   const auto [code, said] =
-      program(run + " --checkpoint " + saved + " & p=$!; sleep 0.5; kill -TERM $p; wait $p");
+      printed(run + " --checkpoint " + saved + " & p=$!; sleep 0.5; kill -TERM $p; wait $p");
   EXPECT_TRUE(code == 3 || code == 0) << said;  // 0 on a machine that is done before
-  const auto [code2, said2] = program(run + " --resume " + saved + " --csv " + rest);
-  EXPECT_EQ(code2, 0) << said2;
+  expectSaid(run + " --resume " + saved + " --csv " + rest, 0);
   EXPECT_EQ(contents(whole), contents(rest));
   EXPECT_GT(contents(whole).size(), 3000u);
 }
 
 TEST(SavedRunOfTheProgram, ThatIsNoneOfTheSceneIsRefusedInOneLine) {
-  const std::string scene = scratchFile(
-                        "other.yaml",
-                        "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
-                        "duration: 1 s\nobservers: [energy]\n"),
-                    text = scratchFile("no.checkpoint", "t\n0\n");
-  const auto [code, said] = program("run " + scene + " --resume " + text);
-  EXPECT_EQ(code, 2);
-  EXPECT_EQ(said,
+  const std::string scene =
+                        written("other.yaml",
+                                "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
+                                "duration: 1 s\nobservers: [energy]\n"),
+                    text = written("no.checkpoint", "t\n0\n");
+  EXPECT_EQ(expectSaid("scene run " + scene + " --resume " + text, 2),
             "liecheck: " + text + ": is not a checkpoint: its first line is not 'liecheck checkpoint 1'\n");
 }
 
 TEST(TruthOfAScene, IsRefusedByEveryCommandIfItIsNotThatOfTheMotion) {
   const std::string scene =
-      scratchFile("truth.yaml",
-                  "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
-                  "duration: 1 s\ntruth: pendulum\n");
-  for (const char* command : {"run ", "explain ", "sweep --no-peers "}) {
-    const auto [code, said] = program(command + scene);
-    EXPECT_EQ(code, 2) << command;
-    EXPECT_NE(said.find(scene + ": truth: "), std::string::npos) << said;
-  }
+      written("truth.yaml",
+              "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 1 ms}\n"
+              "duration: 1 s\ntruth: pendulum\n");
+  for (const char* command : {"run ", "explain ", "sweep --no-peers "})
+    expectSaid(std::string("scene ") + command + scene, 2, {scene + ": truth: "});
 }
 
 }  // namespace

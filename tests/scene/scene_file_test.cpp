@@ -2,18 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <liecheck/scene_file/units.hpp>
 #include <sstream>
 #include <tuple>
 
-#include "../scratch.hpp"
-#include "bodies.hpp"
+#include "program.hpp"
 
 namespace {
 
@@ -36,12 +33,7 @@ std::string with(std::size_t line, const std::string& text) {
   return all + (line > good.size() ? text + "\n" : "");
 }
 std::string refusalOfText(const std::string& text) {
-  try {
-    loadSceneText(text, "s.yaml", scenes.string());
-  } catch (const SceneError& e) {
-    return e.what();
-  }
-  return "nothing";
+  return refusal(text, scenes.string());
 }
 
 TEST(SceneFile, AValidSceneIsRead) {
@@ -61,8 +53,8 @@ TEST(SceneFile, TheWarningsOfItsUrdfAreReturned) {
                 folder.string(), &warnings);
   fs::remove(folder / file);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].rfind((folder / file).string() + ":2: an unknown attribute of <mass> is ignored", 0),
-            0U)
+  EXPECT_TRUE(
+      warnings[0].starts_with((folder / file).string() + ":2: an unknown attribute of <mass> is ignored"))
       << warnings[0];
 }
 
@@ -194,7 +186,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
   for (const Bad& bad : table) {
     const std::string said = refusalOfText(with(bad.line, bad.text));
     if (bad.message.empty())
-      EXPECT_EQ(said, "nothing") << bad.text;
+      EXPECT_EQ(said, "accepted") << bad.text;
     else
       EXPECT_EQ(said, bad.message) << bad.text;
   }
@@ -204,12 +196,11 @@ TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
   EXPECT_EQ(refusalOfText(""),
             "s.yaml: is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
   EXPECT_EQ(refusalOfText(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
-  EXPECT_NE(refusalOfText("%PDF-1.4 \x01\x02"), "nothing");
+  EXPECT_NE(refusalOfText("%PDF-1.4 \x01\x02"), "accepted");
   EXPECT_NE(refusalOfText(std::string(100000, '[')),
-            "nothing");  // a recursive parser would overflow its stack
-  EXPECT_NE(refusalOfText(std::string(max_scene_bytes + 1, 'a')).find("longer than the limit of a scene"),
-            std::string::npos);
-  EXPECT_NE(refusalOfText("a: &x [*x]\n"), "nothing");
+            "accepted");  // a recursive parser would overflow its stack
+  EXPECT_TRUE(has(refusalOfText(std::string(max_scene_bytes + 1, 'a')), "longer than the limit of a scene"));
+  EXPECT_NE(refusalOfText("a: &x [*x]\n"), "accepted");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
   // yaml-cpp's LoadAll returns documents without end here.
@@ -325,61 +316,36 @@ TEST(Fixtures, TheReadmeContainsTheSchema) {
   std::ifstream f(scenes / "README.md");
   std::ostringstream text;
   text << f.rdbuf();
-  EXPECT_NE(text.str().find(sceneSchema()), std::string::npos)
+  EXPECT_TRUE(has(text.str(), sceneSchema()))
       << "put into fixtures/scenes/README.md what 'liecheck scene keys' prints";
-}
-
-/// The exit code of the program, and its output on both streams.
-std::pair<int, std::string> printed(const std::string& arguments) {
-  std::FILE* pipe = ::popen(("(" + std::string(LIECHECK_PROGRAM) + " " + arguments + ") 2>&1").c_str(), "r");
-  std::string said;
-  for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said += char(c);
-  const int status = ::pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
-}
-std::string written(const std::string& name, const std::string& text) {
-  const std::string path = liecheck::scratch() + name;
-  std::ofstream(path) << text;
-  return path;
 }
 
 TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
   const std::string path = written("bad.yaml", with(3, "effects: [gravty]"));
-  const auto [code, said] = printed("scene run " + path);
-  EXPECT_EQ(code, 2);
-  EXPECT_EQ(said,
+  EXPECT_EQ(expectSaid("scene run " + path, 2),
             "liecheck: " + path +
                 ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'\n");
 }
 
 TEST(Program, ComparesTheEndWithTheClosedFormThatTheSceneNames) {
-  const auto run = [](const std::string& name, const std::string& text) {
-    return printed("scene run " + written(name, text));
-  };
-  const std::string swing =
+  const std::string pendulum =
       "robot: {body: box, root: revolute, axis: [1, 0, 0], size: [0.02, 0.02, 1], centre: [0, 0, -0.5]}\n"
-      "initial: {joints: {root_joint: 1}}\neffects: [gravity]\naccuracy: {angle: 1e-3}\nduration: 5 s\n";
-  const auto [code, said] =
-      run("truth.yaml", swing + "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n");
-  EXPECT_EQ(code, 0) << said;
-  EXPECT_NE(said.find("error at the end, attitude"), std::string::npos) << said;
-  EXPECT_NE(said.find("beside the closed form 'pendulum'"), std::string::npos) << said;
-  const auto [coarse, error] =
-      run("coarse.yaml", swing + "integrator: {name: rk2, step: 50 ms}\ntruth: pendulum\n");
-  EXPECT_EQ(coarse, 1) << error;
-  EXPECT_NE(error.find("the error beside the closed form exceeds what the scene accepts"), std::string::npos)
-      << error;
-  const auto [other, why] =
-      run("other.yaml", swing + "integrator: {name: rk2, step: 1 ms}\ntruth: damped_spring\n");
-  EXPECT_EQ(other, 2) << why;
-  EXPECT_NE(why.find("the closed form of this motion is 'pendulum', not 'damped_spring'"), std::string::npos)
-      << why;
-  const auto [none, reason] =
-      run("none.yaml", swing.substr(0, swing.find("effects")) +
-                           "effects: [gravity, joint_friction: {force: 1}]\nduration: 1 s\n"
-                           "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n");
-  EXPECT_EQ(none, 2) << reason;
-  EXPECT_NE(reason.find("has no closed form"), std::string::npos) << reason;
+      "initial: {joints: {root_joint: 1}}\n";
+  const std::string swing = pendulum + "effects: [gravity]\naccuracy: {angle: 1e-3}\nduration: 5 s\n";
+  const auto expect = [](int code, const std::string& text, const std::vector<std::string>& parts) {
+    expectSaid("scene run " + written("truth.yaml", text), code, parts);
+  };
+  expect(0, swing + "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n",
+         {"error at the end, attitude", "beside the closed form 'pendulum'"});
+  expect(1, swing + "integrator: {name: rk2, step: 50 ms}\ntruth: pendulum\n",
+         {"the error beside the closed form exceeds what the scene accepts"});
+  expect(2, swing + "integrator: {name: rk2, step: 1 ms}\ntruth: damped_spring\n",
+         {"the closed form of this motion is 'pendulum', not 'damped_spring'"});
+  expect(2,
+         pendulum +
+             "effects: [gravity, joint_friction: {force: 1}]\nduration: 1 s\n"
+             "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n",
+         {"has no closed form"});
 }
 
 TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
@@ -389,17 +355,14 @@ TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
               "robot: {body: ball, root: prismatic, radius: 1}\ninitial: {joints: {root_joint: 1 m}}\n"
               "effects: [joint_spring: {stiffness: 1e6 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
               "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
-  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
-  EXPECT_EQ(code, 3) << said;
-  EXPECT_NE(said.find("diverged at step "), std::string::npos) << said;
-  EXPECT_NE(said.find("a number is no longer finite"), std::string::npos) << said;
+  expectSaid("scene run " + path + " --csv " + csv, 3, {"diverged at step ", "a number is no longer finite"});
   std::ifstream f(csv);
   std::string line;
   int lines = 0;
   while (std::getline(f, line)) {
     ++lines;
-    EXPECT_EQ(line.find("nan"), line.npos);
-    EXPECT_EQ(line.find("inf"), line.npos);
+    EXPECT_FALSE(has(line, "nan"));
+    EXPECT_FALSE(has(line, "inf"));
   }
   EXPECT_GT(lines, 10);
 }
@@ -420,59 +383,48 @@ TEST(Program, ARunDivergesIfAnObservedNumberIsNotFinite) {
       "robot: {body: ball, root: prismatic, radius: 1, mass: 1e6}\ninitial: {joints: {root_joint: 1 m}}\n"
       "effects: [joint_spring: {stiffness: 1e12 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
       "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
-  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
-  EXPECT_EQ(code, 3) << said;
-  EXPECT_NE(said.find(" is no longer finite"), std::string::npos) << said;
-  EXPECT_EQ(said.find("a number is"), std::string::npos) << said;  // the message names the number
-  EXPECT_EQ(said.find("inf "), std::string::npos) << said;
-  EXPECT_EQ(said.find("nan"), std::string::npos) << said;
+  const std::string said = expectSaid("scene run " + path + " --csv " + csv, 3, {" is no longer finite"});
+  EXPECT_FALSE(has(said, "a number is"));  // the message names the number
+  EXPECT_FALSE(has(said, "inf "));
+  EXPECT_FALSE(has(said, "nan"));
   std::ifstream rows(csv);
   std::string line, last;
   int lines = 0;
   while (std::getline(rows, line)) ++lines, last = line;
   ASSERT_GT(lines, 10);
-  EXPECT_EQ(last.find("inf"), std::string::npos) << last;
-  EXPECT_EQ(last.find("nan"), std::string::npos) << last;
+  EXPECT_FALSE(has(last, "inf"));
+  EXPECT_FALSE(has(last, "nan"));
   // The CSV has a header, the start, and a row for each good step. The program reports the last good step.
   const std::string good = std::to_string(lines - 2);
   EXPECT_EQ(last.substr(0, last.find(',')), good);
-  EXPECT_NE(said.find(good + " s in " + good + " steps of 1 s"), std::string::npos) << said;
-  EXPECT_NE(said.find("diverged at step " + std::to_string(lines - 1) + " of 1000 (t = " + good + " s): "),
-            std::string::npos)
-      << said;
+  EXPECT_TRUE(has(said, good + " s in " + good + " steps of 1 s"));
+  EXPECT_TRUE(has(said, "diverged at step " + std::to_string(lines - 1) + " of 1000 (t = " + good + " s): "));
   // A scene that is not finite at the start is refused.
   const std::string fast = written("fast.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
-  const auto [refused, why] = printed("scene run " + fast);
-  EXPECT_EQ(refused, 2) << why;
-  EXPECT_NE(why.find(fast + ": at the start kinetic is not a finite number"), std::string::npos) << why;
+  expectSaid("scene run " + fast, 2, {fast + ": at the start kinetic is not a finite number"});
   // A change whose square overflows is still finite.
-  const auto [coarse, figures] =
-      printed("scene run " + written("coarse.yaml", chainOf("{name: rkmk4, step: 2.5 s}")));
-  EXPECT_EQ(coarse, 1) << figures;
-  EXPECT_NE(figures.find("energy changes by more than 1 %"), std::string::npos) << figures;
-  EXPECT_EQ(figures.find(" inf "), std::string::npos) << figures;
+  const std::string figures =
+      expectSaid("scene run " + written("coarse.yaml", chainOf("{name: rkmk4, step: 2.5 s}")), 1,
+                 {"energy changes by more than 1 %"});
+  EXPECT_FALSE(has(figures, " inf "));
 }
 
 TEST(Program, ARotationBeyondPiInAStepIsAWarningUnlessTheMethodChoosesItsSteps) {
   const auto [code, said] =
       printed("scene run " + written("turns.yaml", chainOf("{name: rkmk4, step: 2.5 s}")));
-  EXPECT_NE(said.find("beyond pi"), std::string::npos) << said;
-  const auto [code2, said2] =
-      printed("scene run " + written("own.yaml", chainOf("{name: dopri5, step: 2.5 s}")));
-  EXPECT_EQ(code2, 0) << said2;
-  EXPECT_EQ(said2.find("warning"), std::string::npos) << said2;
+  EXPECT_TRUE(has(said, "beyond pi"));
+  const std::string own =
+      expectSaid("scene run " + written("own.yaml", chainOf("{name: dopri5, step: 2.5 s}")), 0);
+  EXPECT_FALSE(has(own, "warning"));
 }
 
 TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
   const std::string path = written("apart.yaml", with(5, "duration: 10 ms")),
                     out = liecheck::scratch() + "apart.out";
-  const auto [own, why] = printed("scene run " + path + " --csv " + path);
-  EXPECT_EQ(own, 2);
-  EXPECT_NE(why.find(path + " is the scene itself"), std::string::npos) << why;
-  EXPECT_EQ(printed("scene run " + path).first, 0);  // the scene was not overwritten
-  const auto [both, why_both] = printed("scene run " + path + " --csv " + out + " --json " + out);
-  EXPECT_EQ(both, 2);
-  EXPECT_NE(why_both.find("would replace the file of --csv"), std::string::npos) << why_both;
+  expectSaid("scene run " + path + " --csv " + path, 2, {path + " is the scene itself"});
+  expectSaid("scene run " + path, 0);  // the scene was not overwritten
+  expectSaid("scene run " + path + " --csv " + out + " --json " + out, 2,
+             {"would replace the file of --csv"});
   EXPECT_FALSE(fs::exists(out));
 }
 
@@ -480,12 +432,11 @@ TEST(Program, AColumnNameWithACommaIsQuotedInTheCsv) {
   const std::string csv = liecheck::scratch() + "quoted.csv";
   const std::string path = written(
       "quoted.yaml", with(6, "frames: [{name: 'a,\"b', on: body}]\nobservers: [frame: {frame: 'a,\"b'}]"));
-  const auto [code, said] = printed("scene run " + path + " --csv " + csv);
-  EXPECT_EQ(code, 0) << said;
+  expectSaid("scene run " + path + " --csv " + csv, 0);
   std::ifstream rows(csv);
   std::string head;
   std::getline(rows, head);
-  EXPECT_EQ(head.find("t [s],\"a,\"\"b."), 0U) << head;
+  EXPECT_TRUE(head.starts_with("t [s],\"a,\"\"b.")) << head;
 }
 
 /// SIGTERM stops a run within 2.5 s: between distant samples, inside one step of a method that chooses its
@@ -498,36 +449,27 @@ TEST(Program, StopsAtASignalWhereverTheRunIs) {
     std::string scene = with(std::size_t(line), text);
     if (line == 4) scene += "output: {every: 1 s}\n";
     if (std::string(name) == "own.yaml") scene.replace(scene.find("[0, 0, 1]"), 9, "[1e6, 1e6, 1]");
-    const auto [code, said] = printed("scene run " + written(name, scene) +
-                                      " & p=$!; (sleep 3; kill -KILL $p) > /dev/null 2>&1 & sleep 0.5; "
-                                      "kill -TERM $p; wait $p");
-    EXPECT_EQ(code, 3) << name << said;
-    EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << name << said;
+    expectSaid("scene run " + written(name, scene) +
+                   " & p=$!; (sleep 3; kill -KILL $p) > /dev/null 2>&1 & sleep 0.5; kill -TERM $p; wait $p",
+               3, {"interrupted at t = "});
   }
   std::string scene = with(4, "integrator: {name: dopri5, tolerance: 1e-8}");
   scene.replace(scene.find("[0, 0, 1]"), 9, "[1e100, 1e100, 1]");
-  const auto [code, said] = printed("scene run " + written("lost.yaml", scene));
-  EXPECT_EQ(code, 3) << said;
-  EXPECT_NE(said.find("no step is small enough for the tolerance"), std::string::npos) << said;
+  expectSaid("scene run " + written("lost.yaml", scene), 3, {"no step is small enough for the tolerance"});
 }
 
 TEST(Program, AStopSignalWritesTheSamplesAndExitsWithThree) {
   const std::string csv = liecheck::scratch() + "stopped.csv";
   const std::string path = written("long.yaml", with(5, "duration: 20000 s"));
   // SIGTERM, because the background jobs of a shell ignore SIGINT
-  const auto [code, said] =
-      printed("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
-  EXPECT_EQ(code, 3) << said;
-  EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << said;
+  expectSaid("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p", 3,
+             {"interrupted at t = "});
   EXPECT_TRUE(fs::exists(csv));
 }
 
 TEST(Program, ExplainsThePlan) {
-  const auto [code, said] = printed("scene explain " + (scenes / "dzhanibekov_1e-6.yaml").string());
-  EXPECT_EQ(code, 0);
-  for (const char* part :
-       {"a lone rigid body", "rigid-body equations", "gravity", "articulated bodies", "left out"})
-    EXPECT_NE(said.find(part), std::string::npos) << part;
+  expectSaid("scene explain " + (scenes / "dzhanibekov_1e-6.yaml").string(), 0,
+             {"a lone rigid body", "rigid-body equations", "gravity", "articulated bodies", "left out"});
 }
 
 }  // namespace

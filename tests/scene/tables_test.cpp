@@ -125,20 +125,13 @@ class Csv : public testing::Test {
   static inline const std::string name = "liecheck_tables_test.csv", file = testing::TempDir() + name;
   static void write(const std::string& text) { std::ofstream(file) << text; }
   static void TearDownTestSuite() { std::filesystem::remove(file); }
-  static scene::Scene load(const std::string& keys,
-                           const std::string& part = "pd: {stiffness: 1, damping: 1, ") {
-    return loadSceneText(rail + "actuation:\n  - " + part + "rows: {file: " + name + keys + "}}\n" + end,
-                         "s.yaml", testing::TempDir());
+  static std::string textOf(const std::string& keys) {
+    return rail + "actuation:\n  - pd: {stiffness: 1, damping: 1, rows: {file: " + name + keys + "}}\n" + end;
   }
   static std::vector<double> numbers(const std::string& keys) {
-    return load(keys).effects.at(0).parameters.numbers("rows");
+    return loadSceneText(textOf(keys), "s.yaml", testing::TempDir()).effects.at(0).parameters.numbers("rows");
   }
-  static std::string refusal(const std::string& keys = "") try {
-    load(keys);
-    return "";
-  } catch (const SceneError& e) {
-    return e.what();
-  }
+  static std::string refusal(const std::string& keys = "") { return test::refusal(textOf(keys)); }
 };
 
 TEST_F(Csv, IsReadByNamesOrNumbersOfColumnsInTheirUnits) {
@@ -157,8 +150,8 @@ TEST_F(Csv, WithoutNamesHasNumberedColumns) {
 
 TEST_F(Csv, IsRefusedWithFileLineAndValue) {
   const auto expect = [](const std::string& got, const std::string& part) {
-    EXPECT_NE(got.find("s.yaml:3: pd.rows: "), std::string::npos) << got;
-    EXPECT_NE(got.find(part), std::string::npos) << got;
+    EXPECT_TRUE(has(got, "s.yaml:3: pd.rows: "));
+    EXPECT_TRUE(has(got, part));
   };
   write("t,x\n0,1\n1,oops\n");
   expect(refusal(), name + ":3: column 'x': 'oops' is not a number");
@@ -179,26 +172,19 @@ TEST_F(Csv, IsRefusedWithFileLineAndValue) {
 }
 
 TEST(Tables, AreRefusedInOneLine) {
-  const auto refusal = [](const std::string& part) -> std::string {
-    try {
-      loadSceneText(rail + "actuation:\n  - " + part + "\n" + end);
-    } catch (const SceneError& e) {
-      return e.what();
-    }
-    return "";
+  const auto refusal = [](const std::string& part) {
+    return test::refusal(rail + "actuation:\n  - " + part + "\n" + end);
   };
   const std::string pd = "pd: {stiffness: 1, damping: 1, ";
-  EXPECT_NE(refusal(pd + "rows: [[1, 1], [0, 2]]}").find("rows[1] is before"), std::string::npos);
-  EXPECT_NE(refusal(pd + "rows: [[0, 1], [0, 2]], interpolation: cubic}").find("has no cubic interpolation"),
-            std::string::npos);
-  EXPECT_NE(refusal(pd + "rows: [[0, 1], [1]]}").find("rows[1] is a time and 1 numbers"), std::string::npos);
-  EXPECT_NE(refusal(pd + "rows: 3}").find("is a list of rows"), std::string::npos);
-  EXPECT_NE(refusal(pd + "rows: [[0, 1]], target: [1]}").find("keep one"), std::string::npos);
-  EXPECT_NE(refusal(pd + "rows: [[0, 1, 2]]}").find("2 targets for 1 coordinates"), std::string::npos);
-  EXPECT_NE(refusal("table: {times: [0, 1]}").find("needs 'rows', or 'times' and 'forces'"),
-            std::string::npos);
-  EXPECT_NE(refusal("table: {rows: [[0, 1]], times: [0], forces: [1]}").find("needs 'rows', or"),
-            std::string::npos);
+  EXPECT_TRUE(has(refusal(pd + "rows: [[1, 1], [0, 2]]}"), "rows[1] is before"));
+  EXPECT_TRUE(
+      has(refusal(pd + "rows: [[0, 1], [0, 2]], interpolation: cubic}"), "has no cubic interpolation"));
+  EXPECT_TRUE(has(refusal(pd + "rows: [[0, 1], [1]]}"), "rows[1] is a time and 1 numbers"));
+  EXPECT_TRUE(has(refusal(pd + "rows: 3}"), "is a list of rows"));
+  EXPECT_TRUE(has(refusal(pd + "rows: [[0, 1]], target: [1]}"), "keep one"));
+  EXPECT_TRUE(has(refusal(pd + "rows: [[0, 1, 2]]}"), "2 targets for 1 coordinates"));
+  EXPECT_TRUE(has(refusal("table: {times: [0, 1]}"), "needs 'rows', or 'times' and 'forces'"));
+  EXPECT_TRUE(has(refusal("table: {rows: [[0, 1]], times: [0], forces: [1]}"), "needs 'rows', or"));
 }
 
 }  // namespace
