@@ -35,6 +35,30 @@ Json record() {
   return all;
 }
 
+Json with(Json record, const std::string& pointer, const Json& value) {
+  record[Json::json_pointer(pointer)] = value;
+  return record;
+}
+Json without(Json record, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  Json& holder = record[at.parent_pointer()];
+  holder.is_array() ? holder.erase(std::stoul(at.back())) : void(holder.erase(at.back()));
+  return record;
+}
+std::string refusal_of(const Json& record, const std::string& kind) {
+  try {
+    kind == "record" ? check_record("r.json", record) : check_schema("r.json", record, kind);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+testing::AssertionResult has(const std::string& text, const std::string& part) {
+  return (text.find(part) != text.npos ? testing::AssertionSuccess() : testing::AssertionFailure())
+         << "'" << part << "' in:\n"
+         << text;
+}
+
 Json bounds() {
   return {{"version", "0.1"},
           {"verdict", "pass"},

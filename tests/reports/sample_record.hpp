@@ -1,6 +1,8 @@
 #pragma once
 // Small sample records: one with only the required fields, one with every section and every documented field.
 
+#include <gtest/gtest.h>
+
 #include <reports/record.hpp>
 #include <string>
 
@@ -17,6 +19,14 @@ Json full_record();
 
 /// A measurement of a kind of measurement_kinds with every field that its schema documents.
 Json measurement(const std::string& kind);
+
+/// A record with another value at a JSON pointer, and without the member at one.
+Json with(Json record, const std::string& pointer, const Json& value);
+Json without(Json record, const std::string& pointer);
+/// Why check_record refuses a record, or check_schema a measurement of another kind; "" if it does not.
+std::string refusal_of(const Json& record, const std::string& kind = "record");
+/// Whether the text contains the part. A failure shows both.
+testing::AssertionResult has(const std::string& text, const std::string& part);
 
 // Sections of a record, and rows of them.
 Json swept();

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <reports/record.hpp>
 #include <set>
-#include <stdexcept>
 
 #include "documented_fields.hpp"
 #include "sample_record.hpp"
@@ -16,15 +15,6 @@
 namespace {
 
 using namespace liecheck::reports;
-
-std::string refusal_by_schema(const Json& record, const std::string& kind) {
-  try {
-    kind == "record" ? check_record("r.json", record) : check_schema("r.json", record, kind);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 class SchemaOf : public testing::TestWithParam<const char*> {
  protected:
@@ -34,7 +24,7 @@ class SchemaOf : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Of, SchemaOf, testing::Values("record", "environments", "horizons", "rounding"));
 
 TEST_P(SchemaOf, DocumentsEveryFieldAndNoOther) {
-  EXPECT_EQ(refusal_by_schema(sample(), kind), "");
+  EXPECT_EQ(refusal_of(sample(), kind), "");
   const Disagreement found = compare_fields(schema(kind), sample());
   EXPECT_EQ(found.absent, std::set<std::string>());
   EXPECT_EQ(found.undocumented, std::set<std::string>());
@@ -44,14 +34,14 @@ TEST(Schema, AcceptsFieldsOfLaterVersions) {
   Json more = full_record();
   more["results"][1]["worst"]["colour"] = "red";
   EXPECT_EQ(compare_fields(schema(), more).undocumented, std::set<std::string>{"results[].worst.colour"});
-  EXPECT_EQ(refusal_by_schema(more, "record"), "");
+  EXPECT_EQ(refusal_of(more), "");
 }
 
 TEST_P(SchemaOf, ChecksEveryFieldThatItDocuments) {
   Json record = sample();
   const auto refusal_with = [&](Json& object, Json changed) {
     std::swap(object, changed);  // swapped back below, so that the iterators of visit_fields stay valid
-    const std::string line = refusal_by_schema(record, kind);
+    const std::string line = refusal_of(record, kind);
     std::swap(object, changed);
     return line;
   };
@@ -64,9 +54,9 @@ TEST_P(SchemaOf, ChecksEveryFieldThatItDocuments) {
                  Json changed = object;
                  changed[key] = rule.contains("type") && rule["type"] == "boolean" ? Json(1) : Json(true);
                  const std::string wrong = refusal_with(object, changed);
-                 EXPECT_EQ(wrong.rfind("r.json: field ", 0), 0u) << field << " accepts any value: " << wrong;
-                 EXPECT_NE(wrong.find(key + ": expected "), wrong.npos) << wrong;
-                 EXPECT_NE(wrong.find(", found "), wrong.npos) << wrong;
+                 EXPECT_TRUE(wrong.starts_with("r.json: field ")) << field << " accepts any value: " << wrong;
+                 EXPECT_TRUE(has(wrong, key + ": expected "));
+                 EXPECT_TRUE(has(wrong, ", found "));
                  changed.erase(key);
                  const Json required = object_rule.value("required", Json::array());
                  // Open keys are required too, such as the input for each scalar of a hard case.
