@@ -95,13 +95,19 @@ std::vector<std::string> documented_commands(const fs::path& docs) {
   return all;
 }
 
+/// A reader that accepts what it does not refuse.
+template <class F>
+std::function<bool(const std::string&)> accepts(F read) {
+  return [read](const std::string& text) { return read(text), true; };
+}
+
 using Maker = std::function<Entrance(const fs::path& fixtures, const fs::path& scratch)>;
 
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> all{
       {"urdf",
        [](const fs::path& fixtures, const fs::path&) {
-         return Entrance{"", texts(fixtures, ".urdf"), urdf_words, [](const std::string& text) {
+         return Entrance{texts(fixtures, ".urdf"), urdf_words, [](const std::string& text) {
                            try {
                              return try_urdf(text);
                            } catch (const std::logic_error& e) {
@@ -112,58 +118,34 @@ const std::map<std::string, Maker>& makers() {
       {"scene",
        [](const fs::path& fixtures, const fs::path&) {
          const std::string folder = (fixtures / "scenes").string();
-         return Entrance{"",
-                         texts(folder, ".yaml"),
-                         {"bodies:",
-                          "effects:",
-                          "type: ",
-                          "- ",
-                          "  ",
-                          "kg",
-                          "m/s",
-                          "{}",
-                          "[]",
-                          "[1, 2, 3]",
-                          "&a ",
-                          "*a",
-                          "!!int ",
-                          "? ",
-                          "|",
-                          ">",
-                          "integrator: dopri5",
-                          "step: 1e-3",
-                          "duration: 1",
-                          "~",
-                          "<<: *a",
-                          "robot: ../robots/quadruped.urdf"},
-                         [folder](const std::string& text) {
-                           try {
-                             loadSceneText(text, "fuzz", folder);
-                             return true;
-                           } catch (const SceneError& e) {
-                             if (std::string(e.what()).find('\n') != std::string::npos)
-                               throw Broken{e.what()};
-                             throw;
-                           }
-                         }};
+         return Entrance{
+             texts(folder, ".yaml"),
+             words_in("bodies:@effects:@type: @- @  @kg@m/s@{}@[]@[1, 2, 3]@&a @*a@!!int @? @|@>@integrator: "
+                      "dopri5@step: 1e-3@duration: 1@~@<<: *a@robot: ../robots/quadruped.urdf"),
+             [folder](const std::string& text) {
+               try {
+                 loadSceneText(text, "fuzz", folder);
+                 return true;
+               } catch (const SceneError& e) {
+                 if (std::string(e.what()).find('\n') != std::string::npos) throw Broken{e.what()};
+                 throw;
+               }
+             }};
        }},
       {"table",
        [](const fs::path& fixtures, const fs::path& scratch) {
          auto corpus = texts(fixtures, ".csv");
          corpus.push_back("t [s],a [m],b [rad]\n0,1,2\n1,2,3\n2,3,4\n");
-         return Entrance{"",
-                         corpus,
+         return Entrance{corpus,
                          {",", "\n", "[m]", "[mm]", "t [s]", ";"},
-                         [file = (scratch / "t.csv").string()](const std::string& text) {
+                         accepts([file = (scratch / "t.csv").string()](const std::string& text) {
                            write(file, text);
                            scene_file_detail::readCsvTable(file, {}, "m");
-                           return true;
-                         }};
+                         })};
        }},
       {"hard_cases",
        [](const fs::path& fixtures, const fs::path&) {
-         return Entrance{"",
-                         lines(texts(fixtures / "hard_cases", ".txt", 200000), 3000),
+         return Entrance{lines(texts(fixtures / "hard_cases", ".txt", 200000), 3000),
                          {" | ", "pi", "eps", "sqrt(", "min", "max", "+ ulp", "exp_oracle", "in double",
                           "in float", "0x1p-1074"},
                          [](const std::string& text) {
@@ -178,8 +160,7 @@ const std::map<std::string, Maker>& makers() {
        }},
       {"expression",
        [](const fs::path&, const fs::path&) {
-         return Entrance{"",
-                         {"pi - 3 eps, 0, 1/3", "sqrt(eps), -2^-30, 1e-8", "next(pi, 2), 0x1.8p-3",
+         return Entrance{{"pi - 3 eps, 0, 1/3", "sqrt(eps), -2^-30, 1e-8", "next(pi, 2), 0x1.8p-3",
                           "max, min, sqrt(2) / 2", "(1 + 2) * -3, sin(1), cos(pi / 4)"},
                          {"pi", "eps", "sqrt(", "next(", "max", "min", "(", ")", "^", "*", "/", "+", "-", ",",
                           "ulp", "sin(", "cos(", "tan(", "2^2^2^9"},
@@ -193,7 +174,6 @@ const std::map<std::string, Maker>& makers() {
       {"case_id",
        [](const fs::path&, const fs::path&) {
          return Entrance{
-             "",
              {"raw.exp_oracle.textbook.double.none.1,0,0,0,0,1e-5", "42.exp_oracle.liecheck.float.none.17",
               "raw.log_oracle.bug:x.float.mixed_joints.0x1p-3,nan", "v4.7.compose.eigen.double.none.3"},
              {".", ",", "raw", "none", "double", "float", "0x1.8p-3", "/", ":"},
@@ -207,13 +187,9 @@ const std::map<std::string, Maker>& makers() {
        }},
       {"rules",
        [](const fs::path& fixtures, const fs::path&) {
-         return Entrance{"",
-                         texts(fixtures / "rules", ".txt", 100000),
+         return Entrance{texts(fixtures / "rules", ".txt", 100000),
                          {"law ", "hard case ", "limits ", " "},
-                         [](const std::string& text) {
-                           parse_rules("fuzz", text);
-                           return true;
-                         }};
+                         accepts([](const std::string& text) { parse_rules("fuzz", text); })};
        }},
       {"limits",
        [](const fs::path& fixtures, const fs::path&) {
@@ -223,45 +199,36 @@ const std::map<std::string, Maker>& makers() {
          corpus.push_back(
              "subject mylib\nprofile careful\nlimit exp6 translation to_pi forward 20 its document says "
              "so\n");
-         return Entrance{"",
-                         corpus,
+         return Entrance{corpus,
                          {"subject ", "limit ", "domain ", "expect ", "profile careful", "forward", "excess",
                           "to_pi", "beyond_pi", "theta < 1", "*"},
-                         [](const std::string& text) {
-                           parse_limits("fuzz", text);
-                           return true;
-                         }};
+                         accepts([](const std::string& text) { parse_limits("fuzz", text); })};
        }},
       {"record",
        [](const fs::path&, const fs::path& scratch) {
          program(small_campaign, scratch);
-         return Entrance{"",
-                         {read(scratch / "r.json")},
+         return Entrance{{read(scratch / "r.json")},
                          {"{", "}", "[", "]", "null", "true", "\"inf\"", "\"nan\"", ":", "\\u0000", "1e400"},
-                         [file = scratch / "fuzz.json"](const std::string& text) {
+                         accepts([file = scratch / "fuzz.json"](const std::string& text) {
                            write(file, text);
                            reports::merge_records({file});
-                           return true;
-                         }};
+                         })};
        }},
       {"store",
        [](const fs::path&, const fs::path& scratch) {
          program(small_campaign, scratch);
-         return Entrance{"",
-                         {read(scratch / "s.db")},
+         return Entrance{{read(scratch / "s.db")},
                          {},
-                         [file = (scratch / "fuzz.db").string()](const std::string& text) {
+                         accepts([file = (scratch / "fuzz.db").string()](const std::string& text) {
                            write(file, text);
                            load_campaign(file);
-                           return true;
-                         }};
+                         })};
        }},
       {"flags",
        [](const fs::path& fixtures, const fs::path&) {
          std::cout.rdbuf(nullptr);  // the help
          auto line = std::make_shared<CommandLine>(liecheck_program, "liecheck");
-         return Entrance{"",
-                         documented_commands(fixtures.parent_path() / "docs"),
+         return Entrance{documented_commands(fixtures.parent_path() / "docs"),
                          {"--json\n", "--help\n", "-j\n", "--", "-", "=", "--seed=", "--cases\n", "--for\n",
                           "1h\n", "\n", "@", "--subject\n", "all\n"},
                          [line](const std::string& text) {
@@ -281,7 +248,6 @@ const std::map<std::string, Maker>& makers() {
              "{\"exp3_quaternion\": [\"double\"]}}\n";
          const std::string bytes(1 + 4 * 8, '\0');
          return Entrance{
-             "",
              {hello + "done 1\n" + bytes, hello + "done 1 because\n" + bytes, hello + "refused\n",
               hello + "done\ndone 1\n" + bytes, hello + "refused too many joints\n"},
              {"done 1\n", "done 2\n", "done\n", "refused\n", "\n", "\"protocol\": 2", "\"float\"", "{}", "[]",

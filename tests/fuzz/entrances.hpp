@@ -8,12 +8,12 @@
 namespace liecheck::test {
 
 struct Entrance {
-  std::string name;
   std::vector<std::string> corpus;  ///< texts to mutate
   std::vector<std::string> words;   ///< to insert
   /// True if the text is accepted. Throws std::exception with a short message if it is refused, and Broken if the
   /// reader breaks its promise.
   std::function<bool(const std::string&)> feed;
+  std::string name = "";
 };
 
 /// A promise that was not kept.

@@ -5,61 +5,30 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace liecheck::test {
 
+using namespace std::literals;
+
+/// The words of a text, which @ separates.
+inline std::vector<std::string> words_in(std::string_view text) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0, end = 0; end != text.npos; at = end + 1)
+    all.emplace_back(text.substr(at, (end = text.find('@', at)) - at));
+  return all;
+}
 /// Words that readers of numbers and text stumble over.
-inline const std::vector<std::string> awkward_words = {"nan",
-                                                       "inf",
-                                                       "-1",
-                                                       "0",
-                                                       "-0",
-                                                       "1e999",
-                                                       "1e-999",
-                                                       "0x10",
-                                                       "1,5",
-                                                       "18446744073709551616",
-                                                       "9007199254740993",
-                                                       "\"",
-                                                       "'",
-                                                       std::string(1, '\0'),
-                                                       "\xff\xfe",
-                                                       "\xc3\x28",
-                                                       "\xe2\x80\xae",
-                                                       "\r\n",
-                                                       "\t",
-                                                       "#",
-                                                       ":",
-                                                       "|",
-                                                       "1e308 1e308 1e308"};
+inline const std::vector<std::string> awkward_words = words_in(
+    "nan@inf@-1@0@-0@1e999@1e-999@0x10@1,5@18446744073709551616@9007199254740993@\"@'@\0@\xff\xfe@"
+    "\xc3\x28@\xe2\x80\xae@\r\n@\t@#@:@|@1e308 1e308 1e308"sv);
 /// And of URDF.
-inline const std::vector<std::string> urdf_words = {"<",
-                                                    ">",
-                                                    "/>",
-                                                    "&#0;",
-                                                    "&lt;",
-                                                    "&x;",
-                                                    "<!--",
-                                                    "-->",
-                                                    "<![CDATA[",
-                                                    "]]>",
-                                                    "<?xml version=\"1.0\"?>",
-                                                    "<!DOCTYPE r [<!ENTITY x \"y\">]>",
-                                                    "<robot>",
-                                                    "</robot>",
-                                                    "<link name=\"a\"/>",
-                                                    "<mimic joint=\"a\"/>",
-                                                    "<limit/>",
-                                                    "<axis xyz=\"0 0 0\"/>",
-                                                    "type=\"fixed\"",
-                                                    "type=\"continuous\"",
-                                                    "type=\"floating\"",
-                                                    "type=\"planar\"",
-                                                    "type=\"prismatic\"",
-                                                    "name=\"\"",
-                                                    "root_joint",
-                                                    "universe"};
+inline const std::vector<std::string> urdf_words = words_in(
+    "<@>@/>@&#0;@&lt;@&x;@<!--@-->@<![CDATA[@]]>@<?xml version=\"1.0\"?>@"
+    "<!DOCTYPE r [<!ENTITY x \"y\">]>@<robot>@</robot>@<link name=\"a\"/>@<mimic joint=\"a\"/>@"
+    "<limit/>@<axis xyz=\"0 0 0\"/>@type=\"fixed\"@type=\"continuous\"@type=\"floating\"@"
+    "type=\"planar\"@type=\"prismatic\"@name=\"\"@root_joint@universe"sv);
 
 class Mutator {
  public:
