@@ -15,6 +15,8 @@
 #include <sstream>
 #include <subjects/tree.hpp>
 
+#include "own_subject.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -152,9 +154,7 @@ TEST(Limits, NeedsCountEveryConditionNumber) {
 using O = TypedOperations<double>;
 
 const O& liecheck_itself() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return s->operations;
-  throw std::logic_error("liecheck is not registered");
+  return own_subject().operations;
 }
 O::V3 flipped(const O::V3& phi) {
   return -(2 * M_PI / phi.norm() - 1) * phi;

@@ -11,7 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <store/stored_run.hpp>
-#include <subjects/typed.hpp>
+
+#include "own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -24,182 +25,122 @@ using V7 = O::V7;
 using M6 = O::M6;
 
 const O& own() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return s->operations;
-  throw std::logic_error("liecheck is not registered");
+  return own_subject().operations;
 }
 
-TypedSubject<double> planted(const std::string& name, void (*plant)(O&)) {
+/// The subject planted_<name>, whose only function is wrong.
+template <class Operation, class F>
+Registered<double> planted(const std::string& name, const Operation& operation, F wrong) {
   TypedSubject<double> s;
   s.name = "planted_" + name;
-  plant(s.operations);
-  return s;
+  s.operations[operation] = wrong;
+  return Registered<double>(s);
+}
+using X = VecX<double>;
+/// A subject with one wrong function of robots, which `wrong` makes of the right one.
+template <const auto& operation, class Make>
+Registered<double> planted_in_robots(const std::string& name, Make) {
+  TypedSubject<double> s;
+  s.name = "planted_" + name;
+  s.operations.robot = [](const std::string& urdf, bool fixed) {
+    auto r = own().robot(urdf, fixed);
+    r[operation] = Make()(r[operation]);
+    return r;
+  };
+  return Registered<double>(s);
 }
 
 // One bug for each law: an omitted inverse Jacobian, a swapped side, a transposed adjoint, a forced sign ...
 const Registered<double> bugs[] = {
-    Registered<double>(planted("exp_oracle",
-                               [](O& o) {
-                                 o[op::exp6] = [](const V6& xi) {
-                                   auto T = own()[op::exp6](xi);
-                                   T.p *= 1 + 1e-14;
-                                   return T;
-                                 };
-                               })),
-    Registered<double>(planted("log_oracle",
-                               [](O& o) {
-                                 o[op::log6] = [](const Pose<double>& T) {
-                                   V6 xi = own()[op::log6](T);
-                                   xi.head<3>() = T.p;
-                                   return xi;
-                                 };
-                               })),
-    Registered<double>(planted(
-        "jacobian_oracle",
-        [](O& o) { o[op::left_jacobian6] = [](const V6& xi) { return own()[op::right_jacobian6](xi); }; })),
-    Registered<double>(planted("integrate_difference",
-                               [](O& o) {
-                                 o[op::difference] = [](const V7& a, const V7& b) {
-                                   return own()[op::difference](b, a);
-                                 };
-                               })),
-    Registered<double>(planted("sign_continuity",
-                               [](O& o) {
-                                 o[op::integrate] = [](const V7& q, const V6& d) {
-                                   V7 r = own()[op::integrate](q, d);
-                                   if (r[6] < 0) r.tail<4>() *= -1;
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("d_integrate",
-                               [](O& o) {
-                                 o[op::d_integrate_arg0] = [](const V7& q, const V6& d) {
-                                   return M6(own()[op::d_integrate_arg0](q, d).transpose());
-                                 };
-                               })),
-    Registered<double>(planted("small_angle_branches",
-                               [](O& o) {
-                                 o[op::exp6] = [](const V6& xi) {
-                                   auto T = own()[op::exp6](xi);
-                                   if (xi.tail<3>().norm() < 1e-4)
-                                     T.p = xi.head<3>() + xi.tail<3>().cross(xi.head<3>()) / 2;
-                                   return T;
-                                 };
-                               })),
-    Registered<double>(planted(
-        "kinematic_identities",
-        [](O& o) {
-          o[op::integrate_coefficient_jacobian] = [](const V7& q) {
-            Mat<double, 7, 6> J = own()[op::integrate_coefficient_jacobian](q);
-            J.block<3, 3>(3, 3).transposeInPlace();  // Q_dot = 1/2 (omega, 0) Q: the world-frame velocity
-            return J;
-          };
-        })),
-    Registered<double>(planted("any_norm",
-                               [](O& o) {
-                                 o[op::normalize] = [](const V4& Q) {
-                                   return V4(Q / std::sqrt(Q.squaredNorm()));
-                                 };  // may overflow
-                               })),
-    Registered<double>(planted("any_norm_configurations",
-                               [](O& o) {
-                                 o[op::difference_any_norm] = [](const V7& a, const V7& b) {
-                                   return V6(own()[op::difference](a, b) *
-                                             b.tail<4>().norm());  // not divided
-                                 };
-                               })),
-    Registered<double>(planted("normalisation",
-                               [](O& o) {
-                                 o[op::first_order_normalize] = [](const V4& Q) {
-                                   return V4(Q * (2 - Q.norm()));
-                                 };  // another order
-                               })),
-    Registered<double>(planted(
-        "kinetic_energy",
-        [](O& o) {
-          o[op::kinetic_energy] = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
-            const V3 w = V.tail<3>();
-            return own()[op::kinetic_energy](b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
-          };
-        })),
-    Registered<double>(planted("power_pairing",
-                               [](O& o) {
-                                 o[op::act_motion] = [](const Pose<double>& X, const V6& V) {
-                                   return own()[op::act_motion](X, V);
-                                 };
-                                 o[op::act_force] = [](const Pose<double>& X, const V6& F) {
-                                   return own()[op::act_motion](X, F);
-                                 };  // a wrench transformed as a twist
-                               })),
-    Registered<double>(planted("pose_group",
-                               [](O& o) {
-                                 o[op::inverse] = [](const Pose<double>& X) {
-                                   auto Y = own()[op::inverse](X);
-                                   Y.p = -(X.R * X.p);  // not transposed
-                                   return Y;
-                                 };
-                               })),
-    Registered<double>(planted("robot_configuration",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = own().robot(urdf, fixed);
-                                   r[op::robot_is_same] = [](const VecX<double>& a, const VecX<double>& b) {
-                                     return (a - b).norm() < 1e-12;
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("robot_derivatives",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = own().robot(urdf, fixed);
-                                   r[op::robot_d_integrate_arg0] = [f = r[op::robot_d_integrate_arg0]](
-                                                                       const VecX<double>& q,
-                                                                       const VecX<double>& d) {
-                                     return MatX<double>(f(q, VecX<double>(-d)));
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("always_same",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = own().robot(urdf, fixed);
-                                   r[op::robot_is_same] = [](const VecX<double>&, const VecX<double>&) {
-                                     return true;
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("same_but_one",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = own().robot(urdf, fixed);
-                                   r[op::robot_is_same] = [f = r[op::robot_is_same]](VecX<double> a,
-                                                                                     VecX<double> b) {
-                                     a.tail<1>().setZero(),
-                                         b.tail<1>().setZero();  // the last joint is ignored
-                                     return f(a, b);
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("opposite",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = own().robot(urdf, fixed);
-                                   r[op::robot_integrate] = [f = r[op::robot_integrate]](
-                                                                const VecX<double>& q,
-                                                                const VecX<double>& d) {
-                                     VecX<double> next = f(q, d);
-                                     if (next[6] < 0) next.segment<4>(3) *= -1;
-                                     return next;
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted(
-        "nan", [](O& o) { o[op::exp3_quaternion] = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
+    planted("exp_oracle", op::exp6,
+            [](const V6& xi) {
+              auto T = own()[op::exp6](xi);
+              T.p *= 1 + 1e-14;
+              return T;
+            }),
+    planted("log_oracle", op::log6,
+            [](const Pose<double>& T) {
+              V6 xi = own()[op::log6](T);
+              xi.head<3>() = T.p;
+              return xi;
+            }),
+    planted("jacobian_oracle", op::left_jacobian6,
+            [](const V6& xi) { return own()[op::right_jacobian6](xi); }),
+    planted("integrate_difference", op::difference,
+            [](const V7& a, const V7& b) { return own()[op::difference](b, a); }),
+    planted("sign_continuity", op::integrate,
+            [](const V7& q, const V6& d) {
+              V7 r = own()[op::integrate](q, d);
+              if (r[6] < 0) r.tail<4>() *= -1;
+              return r;
+            }),
+    planted("d_integrate", op::d_integrate_arg0,
+            [](const V7& q, const V6& d) { return M6(own()[op::d_integrate_arg0](q, d).transpose()); }),
+    planted("small_angle_branches", op::exp6,
+            [](const V6& xi) {
+              auto T = own()[op::exp6](xi);
+              if (xi.tail<3>().norm() < 1e-4) T.p = xi.head<3>() + xi.tail<3>().cross(xi.head<3>()) / 2;
+              return T;
+            }),
+    planted("kinematic_identities", op::integrate_coefficient_jacobian,
+            [](const V7& q) {
+              Mat<double, 7, 6> J = own()[op::integrate_coefficient_jacobian](q);
+              J.block<3, 3>(3, 3).transposeInPlace();  // Q_dot = 1/2 (omega, 0) Q: the world-frame velocity
+              return J;
+            }),
+    planted("any_norm", op::normalize,
+            [](const V4& Q) { return V4(Q / std::sqrt(Q.squaredNorm())); }),  // may overflow
+    planted("any_norm_configurations", op::difference_any_norm,
+            [](const V7& a, const V7& b) {
+              return V6(own()[op::difference](a, b) * b.tail<4>().norm());  // not divided
+            }),
+    planted("normalisation", op::first_order_normalize,
+            [](const V4& Q) { return V4(Q * (2 - Q.norm())); }),  // another order
+    planted("kinetic_energy", op::kinetic_energy,
+            [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
+              const V3 w = V.tail<3>();
+              return own()[op::kinetic_energy](b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
+            }),
+    Registered<double>([] {
+      TypedSubject<double> s;
+      s.name = "planted_power_pairing";
+      s.operations[op::act_motion] = [](const Pose<double>& T, const V6& V) {
+        return own()[op::act_motion](T, V);
+      };
+      s.operations[op::act_force] = s.operations[op::act_motion];  // a wrench transformed as a twist
+      return s;
+    }()),
+    planted("pose_group", op::inverse,
+            [](const Pose<double>& T) {
+              auto Y = own()[op::inverse](T);
+              Y.p = -(T.R * T.p);  // not transposed
+              return Y;
+            }),
+    planted_in_robots<op::robot_is_same>(
+        "robot_configuration",
+        [](auto) { return [](const X& a, const X& b) { return (a - b).norm() < 1e-12; }; }),
+    planted_in_robots<op::robot_d_integrate_arg0>(
+        "robot_derivatives",
+        [](auto f) { return [f](const X& q, const X& d) { return MatX<double>(f(q, X(-d))); }; }),
+    planted_in_robots<op::robot_is_same>("always_same",
+                                         [](auto) { return [](const X&, const X&) { return true; }; }),
+    planted_in_robots<op::robot_is_same>("same_but_one",
+                                         [](auto f) {
+                                           return [f](X a, X b) {
+                                             a.tail<1>().setZero(),
+                                                 b.tail<1>().setZero();  // the last joint is ignored
+                                             return f(a, b);
+                                           };
+                                         }),
+    planted_in_robots<op::robot_integrate>("opposite",
+                                           [](auto f) {
+                                             return [f](const X& q, const X& d) {
+                                               X next = f(q, d);
+                                               if (next[6] < 0) next.segment<4>(3) *= -1;
+                                               return next;
+                                             };
+                                           }),
+    planted("nan", op::exp3_quaternion, [](const V3&) { return V4(V4::Constant(NAN)); }),
 };
 
 CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 300,

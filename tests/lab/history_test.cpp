@@ -58,16 +58,12 @@ TEST(History, ARowWhoseTimeIsUpIsIncomplete) {
   EXPECT_FALSE(bench.measured());
 }
 
-TEST(History, AnAccusedRepairFailsTheBench) {
-  const HistoryBench bench = bench_of("test_not_repaired");
-  EXPECT_EQ(bench.rows[0].verdict(), "ACCUSED");
-  EXPECT_FALSE(bench.passed());
-}
-
-TEST(History, AnAccusedControlFailsTheBench) {
-  const HistoryBench bench = bench_of("test_control");
-  EXPECT_EQ(bench.rows[0].verdict(), "ACCUSED");
-  EXPECT_FALSE(bench.passed());
+TEST(History, AnAccusedRepairOrControlFailsTheBench) {
+  for (const char* name : {"test_not_repaired", "test_control"}) {
+    const HistoryBench bench = bench_of(name);
+    EXPECT_EQ(bench.rows[0].verdict(), "ACCUSED") << name;
+    EXPECT_FALSE(bench.passed()) << name;
+  }
 }
 
 TEST(History, AFoundBugWithASilentRepairPasses) {

@@ -8,12 +8,12 @@
 #include <horizons/scene_horizons.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <subjects/typed.hpp>
 #include <support/file_lock.hpp>
 #include <support/files.hpp>
 #include <support/stop.hpp>
 
 #include "../scratch.hpp"
+#include "own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -21,44 +21,35 @@ namespace {
 using O = TypedOperations<double>;
 
 const O& good() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return s->operations;
-  throw std::logic_error("liecheck is not registered");
+  return own_subject().operations;
 }
 
-/// integrate with an error of 2^-40 in the angle of each call, always to the same side, or with a norm that grows.
-const Registered<double> drifts([] {
+/// A subject whose only function is this one.
+Registered<double> integrates(const std::string& name, O::V7 (*integrate)(const O::V7&, const O::V6&)) {
   TypedSubject<double> s;
-  s.name = "horizon:drifts";
-  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
-    O::V6 more = d;
-    more.tail<3>() *= 1 + 0x1p-40;
-    return good()[op::integrate](q, more);
-  };
-  return s;
-}());
-const Registered<double> grows([] {
-  TypedSubject<double> s;
-  s.name = "horizon:grows";
-  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
-    O::V7 next = good()[op::integrate](q, d);
-    next.tail<4>() *= q.tail<4>().norm() * (1 + 0x1p-50);
-    return next;
-  };
-  return s;
-}());
-
-/// integrate that returns NaN from some rotation on.
-const Registered<double> gives_nan([] {
-  TypedSubject<double> s;
-  s.name = "horizon:nan";
-  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
-    O::V7 next = good()[op::integrate](q, d);
-    if (std::fabs(q[3]) > 0.3) next[6] = std::nan("");
-    return next;
-  };
-  return s;
-}());
+  s.name = "horizon:" + name;
+  s.operations[op::integrate] = integrate;
+  return Registered<double>(s);
+}
+/// integrate with an error of 2^-40 in the angle of each call, always to the same side; with a norm that grows; and with
+/// NaN from some rotation on.
+const Registered<double> wrong[] = {integrates("drifts",
+                                               [](const O::V7& q, const O::V6& d) -> O::V7 {
+                                                 O::V6 more = d;
+                                                 more.tail<3>() *= 1 + 0x1p-40;
+                                                 return good()[op::integrate](q, more);
+                                               }),
+                                    integrates("grows",
+                                               [](const O::V7& q, const O::V6& d) -> O::V7 {
+                                                 O::V7 next = good()[op::integrate](q, d);
+                                                 next.tail<4>() *= q.tail<4>().norm() * (1 + 0x1p-50);
+                                                 return next;
+                                               }),
+                                    integrates("nan", [](const O::V7& q, const O::V6& d) -> O::V7 {
+                                      O::V7 next = good()[op::integrate](q, d);
+                                      if (std::fabs(q[3]) > 0.3) next[6] = std::nan("");
+                                      return next;
+                                    })};
 
 Horizon one(HorizonOptions o, const std::string& subject, const std::string& walk) {
   o.subjects = {subject}, o.scalars = {"double"}, o.walks = {walk};

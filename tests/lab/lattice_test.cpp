@@ -10,8 +10,9 @@
 #include <lattice/lattice.hpp>
 #include <numbers>
 #include <set>
-#include <subjects/typed.hpp>
 #include <support/files.hpp>
+
+#include "own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -19,12 +20,6 @@ namespace {
 using F = Feature;
 using V3 = Vec<double, 3>;
 using V6 = Vec<double, 6>;
-
-const TypedSubject<double>& liecheck_subject() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return *s;
-  throw std::logic_error("liecheck is not registered");
-}
 
 std::vector<Trigger> with(const Trigger& more) {
   std::vector<Trigger> all = triggers();
@@ -127,7 +122,7 @@ TEST(Perturbations, ReachEveryNumberOfAResult) {
 }
 
 TEST(Lattice, ABaseWithoutAFaultIsNeverFound) {
-  Lab<double> lab(liecheck_subject(), triggers(), 1, built_in_robot(), {true, false});
+  Lab<double> lab(own_subject(), triggers(), 1, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(200));
   EXPECT_EQ(lab.failures_of_base(), 0);
   for (Fault fault : lab.faults()) {
@@ -141,7 +136,7 @@ TEST(Lattice, ABaseWithoutAFaultIsNeverFound) {
 
 TEST(Lattice, AFaultThatNeverFiresIsReportedAsNotFired) {
   const auto table = with({"test", "an angle below zero", F::theta, -2, -1});
-  Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
+  Lab<double> lab(own_subject(), table, 1, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(100));
   std::size_t checked = 0;
   for (const Fault& fault : lab.faults()) {
@@ -156,7 +151,7 @@ TEST(Lattice, AFaultThatNeverFiresIsReportedAsNotFired) {
 
 /// exp6 with an error of 2^-30 in x if theta is in [1.1, 1.2).
 Pose<double> faulty_exp6(const V6& xi) {
-  Pose<double> X = liecheck_subject().operations[op::exp6](xi);
+  Pose<double> X = own_subject().operations[op::exp6](xi);
   const double theta = xi.tail<3>().norm();
   if (theta >= 1.1 && theta < 1.2) X.p[0] += 0x1p-30 * X.p.cwiseAbs().maxCoeff();
   return X;
@@ -164,7 +159,7 @@ Pose<double> faulty_exp6(const V6& xi) {
 
 TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
   const auto table = with({"test", "theta in [1.1, 1.2)", F::theta, 1.1, 1.2});
-  Lab<double> lab(liecheck_subject(), table, 5, built_in_robot(), {true, false});
+  Lab<double> lab(own_subject(), table, 5, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(1000));
   const Fault fault{&op::exp6, table.size() - 1, {PlantedChange::size, 22, 1, 0, 1}};
   const FaultVerdict verdict = lab.judge(fault);
@@ -203,7 +198,7 @@ Vec<double, N> shrunk(const Vec<double, N>& x) {
 TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
   TypedSubject<double> faulty{"faulty", "", {}};
   auto& o = faulty.operations;
-  static const auto& good = liecheck_subject().operations;
+  static const auto& good = own_subject().operations;
   o[op::exp3_quaternion] = [](const V3& phi) { return good[op::exp3_quaternion](stretched<3>(phi)); };
   o[op::exp3_matrix] = [](const V3& phi) { return good[op::exp3_matrix](stretched<3>(phi)); };
   o[op::exp6] = [](const V6& xi) { return good[op::exp6](stretched<6>(xi)); };
@@ -230,9 +225,9 @@ TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
 TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
   TypedSubject<double> base{"partly wrong", "", {}};
   base.operations[op::exp3_matrix] = [](const V3& phi) {
-    return Mat<double, 3>((1 + 1e-10) * liecheck_subject().operations[op::exp3_matrix](phi));
+    return Mat<double, 3>((1 + 1e-10) * own_subject().operations[op::exp3_matrix](phi));
   };
-  base.operations[op::exp3_quaternion] = liecheck_subject().operations[op::exp3_quaternion];
+  base.operations[op::exp3_quaternion] = own_subject().operations[op::exp3_quaternion];
   Lab<double> lab(base, triggers(), 1, built_in_robot());
   ASSERT_TRUE(lab.scan(100));
   EXPECT_GT(lab.failures_of_base(), 0.4);
@@ -242,7 +237,7 @@ TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
 
 TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
   const std::vector<Trigger>& table = triggers();
-  Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
+  Lab<double> lab(own_subject(), table, 1, built_in_robot(), {true, false});
   ASSERT_TRUE(lab.scan(200));
   const FaultVerdict verdict = lab.judge({&op::exp6, 0, {PlantedChange::size, 0, 1, 0, 1}});  // 1 eps
   EXPECT_EQ(verdict.found, Found::granted) << verdict.by;
@@ -256,7 +251,7 @@ TEST(Lattice, HasThreeCorrectBasesAndThreeThousandFaults) {
     faults += lab.faults().size();
     correct += lab.failures_of_base() == 0;
   };
-  count(liecheck_subject());
+  count(own_subject());
   count(look_alikes<double>());
   for (const auto* s : typed_subjects<double>())
     if (s->name == "liecheck:fast") count(*s);

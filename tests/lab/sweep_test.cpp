@@ -8,6 +8,7 @@
 #include <coefficients/float_interval.hpp>
 #include <coefficients/sweep.hpp>
 #include <limits>
+#include <map>
 #include <oracles/closed_forms.hpp>
 #include <random>
 
@@ -30,32 +31,19 @@ Real100 closed_form(Coefficient which, double argument) {
   const Real100 inverse = (1 - t / 2 * c / s) / x;
   // d (h cot h) / dx = (cot h - h / sin^2 h) / (4 theta)
   const Real100 slope = (c / s - t / 2 / (s * s)) / (4 * t);
-  switch (which) {
-    case c0:
-      return f0;
-    case c1:
-      return f1;
-    case c2:
-      return f2;
-    case c3:
-      return f3;
-    case c4:
-      return f4;
-    case c5:
-      return f5;
-    case Coefficient::c3_minus_2c4:
-      return f3 - 2 * f4;
-    case Coefficient::c4_minus_3c5:
-      return f4 - 3 * f5;
-    case d:
-      return inverse;
-    case d2:
-      return 2 * (-slope - inverse) / x;
-    case half_sine:
-      return s / t;
-    default:
-      return c;
-  }
+  const std::map<Coefficient, Real100> all = {{c0, f0},
+                                              {c1, f1},
+                                              {c2, f2},
+                                              {c3, f3},
+                                              {c4, f4},
+                                              {c5, f5},
+                                              {Coefficient::c3_minus_2c4, f3 - 2 * f4},
+                                              {Coefficient::c4_minus_3c5, f4 - 3 * f5},
+                                              {d, inverse},
+                                              {d2, 2 * (-slope - inverse) / x},
+                                              {half_sine, s / t},
+                                              {half_cosine, c}};
+  return all.at(which);
 }
 
 const CoefficientCode& code_of(Coefficient c) {

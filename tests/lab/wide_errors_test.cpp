@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <subjects/typed.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
 #include <wide/wide_errors.hpp>
+
+#include "own_subject.hpp"
 
 namespace {
 
@@ -21,9 +22,7 @@ void call(R (*function)(const A&...), const char* arguments, WideNumbers& in, Wi
 
 /// Compares the errors that each operation's law measures with errors from the closed forms at 100 digits.
 TEST(WideErrors, AgreeWithTheLawsInDouble) {
-  const auto all = typed_subjects<double>();
-  const TypedSubject<double>& subject =
-      **std::find_if(all.begin(), all.end(), [](const auto* s) { return s->name == "liecheck"; });
+  const TypedSubject<double>& subject = own_subject();
   const auto laws = make_properties(liecheck::oracles::scalar_of<double>);
   SpatialSlots<double>::for_each([&](const auto& operation) {
     const std::string name(operation.name);
