@@ -1,4 +1,5 @@
-// The rounding errors of algorithms/aba.hpp. dynamics_test.cpp checks that its results are right.
+// algorithms/aba.hpp: its rounding errors, the energy of a passive robot, and singular inertias. dynamics_test.cpp
+// checks that its results are right.
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,41 @@ TEST(Aba, ErrsLessThanTheFactorsOfM) {
   }
   EXPECT_GT(by_aba, 0);
   EXPECT_LT(by_aba, by_factors);
+}
+
+// A passive arm whose rotors and links exchange energy, by the classical Runge-Kutta method of order 4.
+TEST(Dynamics, APassiveRobotWithArmatureKeepsItsEnergy) {
+  Random random(81);
+  Model<double> m;
+  for (int i = 0; i < 7; ++i) {
+    m.addJoint(i, Revolute<double>(random.vector(1)), random.pose(), "j" + std::to_string(i));
+    m.appendBodyToJoint(i + 1, random.body(3));
+  }
+  m.armature = random.tangent(7, 0.2).cwiseAbs();
+  const Vec q0 = random.tangent(7, 1), v0 = random.tangent(7, 2);
+  Data<double> d(m);
+  const auto acceleration = [&](const Vec& q, const Vec& v) { return Vec(aba(m, d, q, v, Vec::Zero(7))); };
+  const auto rotors = [&](const Vec& v) { return m.armature.dot(v.cwiseAbs2()) / 2; };
+  double exchanged = 0;  // largest change of the energy of the rotors
+  const auto drift = [&](int steps) {
+    Vec q = q0, v = v0;
+    const double h = 0.2 / steps, start = computeMechanicalEnergy(m, d, q, v);
+    double largest = 0;
+    for (int n = 0; n < steps; ++n) {
+      const Vec a1 = acceleration(q, v), v2 = v + h / 2 * a1, a2 = acceleration(q + h / 2 * v, v2),
+                v3 = v + h / 2 * a2, a3 = acceleration(q + h / 2 * v2, v3), v4 = v + h * a3,
+                a4 = acceleration(q + h * v3, v4);
+      q += h / 6 * (v + 2 * v2 + 2 * v3 + v4), v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+      largest = std::max(largest, std::abs(computeMechanicalEnergy(m, d, q, v) - start));
+      exchanged = std::max(exchanged, std::abs(rotors(v) - rotors(v0)));
+    }
+    return largest;
+  };
+  // The drift is the method's error, O(h^4), which halving h divides by 16: energy that is not counted would
+  // remain. 8 allows for the terms of higher order.
+  const double coarse = drift(100), fine = drift(200);
+  EXPECT_LE(fine, coarse / 8);
+  EXPECT_LE(coarse, 1e-3 * exchanged);
 }
 
 /// Joints that rotate about one line, with massless links between them, and a body that the last one carries.

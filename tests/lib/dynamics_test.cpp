@@ -105,41 +105,6 @@ TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
   });
 }
 
-// A passive arm whose rotors and links exchange energy, by the classical Runge-Kutta method of order 4.
-TEST(Dynamics, APassiveRobotWithArmatureKeepsItsEnergy) {
-  Random random(81);
-  Model<double> m;
-  for (int i = 0; i < 7; ++i) {
-    m.addJoint(i, Revolute<double>(random.vector(1)), random.pose(), "j" + std::to_string(i));
-    m.appendBodyToJoint(i + 1, random.body(3));
-  }
-  m.armature = random.tangent(7, 0.2).cwiseAbs();
-  const Vec q0 = random.tangent(7, 1), v0 = random.tangent(7, 2);
-  Data<double> d(m);
-  const auto acceleration = [&](const Vec& q, const Vec& v) { return Vec(aba(m, d, q, v, Vec::Zero(7))); };
-  const auto rotors = [&](const Vec& v) { return m.armature.dot(v.cwiseAbs2()) / 2; };
-  double exchanged = 0;  // largest change of the energy of the rotors
-  const auto drift = [&](int steps) {
-    Vec q = q0, v = v0;
-    const double h = 0.2 / steps, start = computeMechanicalEnergy(m, d, q, v);
-    double largest = 0;
-    for (int n = 0; n < steps; ++n) {
-      const Vec a1 = acceleration(q, v), v2 = v + h / 2 * a1, a2 = acceleration(q + h / 2 * v, v2),
-                v3 = v + h / 2 * a2, a3 = acceleration(q + h / 2 * v2, v3), v4 = v + h * a3,
-                a4 = acceleration(q + h * v3, v4);
-      q += h / 6 * (v + 2 * v2 + 2 * v3 + v4), v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-      largest = std::max(largest, std::abs(computeMechanicalEnergy(m, d, q, v) - start));
-      exchanged = std::max(exchanged, std::abs(rotors(v) - rotors(v0)));
-    }
-    return largest;
-  };
-  // The drift is the method's error, O(h^4), which halving h divides by 16: energy that is not counted would
-  // remain. 8 allows for the terms of higher order.
-  const double coarse = drift(100), fine = drift(200);
-  EXPECT_LE(fine, coarse / 8);
-  EXPECT_LE(coarse, 1e-3 * exchanged);
-}
-
 // The equations of motion without spatial algebra. The force m (c_ddot - g) and the moment I alpha + omega x
 // I omega of each body are projected on the derivatives of c and R by each coordinate. All derivatives are
 // differences of poses.
@@ -179,32 +144,6 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
     Data<double> dd(m);
     EXPECT_LE(relative(rnea(m, dd, s.q, s.v, s.a), d.tau().cast<double>().eval()), budget(m));
   }
-}
-
-TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
-  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
-    Data<double> d(m);
-    const auto hg = computeCentroidalMomentum(m, d, s.q, s.v).to_vector();
-    const Vec through_map = computeCentroidalMap(m, d, s.q) * s.v;
-    const double size = d.Ag().norm() * s.v.norm();
-    EXPECT_LE((hg - through_map).norm(), budget(m) * size);
-    jacobianCenterOfMass(m, d, s.q), centerOfMass(m, d, s.q, s.v);
-    EXPECT_LE((d.Jcom() * s.v - d.vcom()).norm(), budget(m) * d.Jcom().norm() * s.v.norm());
-    const Model<Real> ml = m.cast<Real>();
-    Data<Real> dl(ml);
-    const VecL v = s.v.cast<Real>(), a = s.a.cast<Real>();
-    const Vector6<Real> rate = derivative([&](Real t) {
-      return computeCentroidalMomentum(ml, dl, along(ml, s, t), VecL(v + t * a)).to_vector();
-    });
-    const auto dhg = computeCentroidalMomentumTimeVariation(m, d, s.q, s.v, s.a).to_vector();
-    EXPECT_LE(relative(dhg, Vec(rate.cast<double>()), size), 1e-12);
-    const Vector3<Real> vcom = derivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
-    const Vector3<Real> acom =
-        secondDerivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
-    centerOfMass(m, d, s.q, s.v, s.a);
-    EXPECT_LE(relative(d.vcom(), vcom.cast<double>().eval(), 1), 1e-12);
-    EXPECT_LE(relative(d.acom(), acom.cast<double>().eval(), 1), 1e-11);
-  });
 }
 
 TEST(Dynamics, WithoutGravityAndForcesAFloatingRobotKeepsItsMomentum) {
@@ -256,93 +195,6 @@ TEST(Dynamics, DerivativesEqualFiniteDifferencesInLongDouble) {
     const double kappa = M.norm() * d.Minv().norm();
     EXPECT_LE(relative(d.ddq_dq(), a_q.cast<double>().eval()), 1e-12 + 64 * kappa * eps<double>());
     EXPECT_LE(relative(d.ddq_dv(), a_v.cast<double>().eval()), 1e-12 + 64 * kappa * eps<double>());
-  }
-}
-
-TEST(Dynamics, MovingTheWorldReorderingJointsAndSplittingABodyChangeNothing) {
-  for (unsigned seed = 61; seed <= 64; ++seed) {
-    Random random(seed);
-    const SE3<double> X = random.pose(), far(X.rotation(), V3(1e6, -2e6, 3e6)), behind = random.pose();
-    const Inertia<double> trunk = random.body(3), left = random.body(1), right = random.body(2);
-    const SE3<double> X_left = random.pose(), X_right = random.pose(), cut = random.pose();
-    const auto build = [&](const SE3<double>& world, bool swapped, bool split) {
-      Model<double> m;
-      m.gravity = world.rotation() * m.gravity;
-      m.addJoint(0, Revolute<double>(Axis<double>::Y()), world * behind, "trunk");
-      if (split) {  // two halves, one of them in another frame
-        const Inertia<double> half(trunk.mass() / 2, trunk.lever(), trunk.inertia() / 2);
-        m.appendBodyToJoint(1, half);
-        m.appendBodyToJoint(1, cut.actInv(half), cut);
-      } else {
-        m.appendBodyToJoint(1, trunk);
-      }
-      for (int k : {swapped ? 1 : 0, swapped ? 0 : 1}) {
-        const int j =
-            m.addJoint(1, Revolute<double>(V3(1, k, 2)), k ? X_right : X_left, k ? "right" : "left");
-        m.appendBodyToJoint(j, k ? right : left);
-      }
-      return m;
-    };
-    const Vec q = random.tangent(3, 1), v = random.tangent(3, 2), a = random.tangent(3, 3);
-    const auto swap = [](const Vec& x) { return Vec(V3(x[0], x[2], x[1])); };
-    const auto tau_of = [&](const Model<double>& m, bool swapped) {
-      Data<double> d(m, Dense::Mass);
-      const Vec tau = swapped ? swap(rnea(m, d, swap(q), swap(v), swap(a))) : Vec(rnea(m, d, q, v, a));
-      const Vec back = swapped ? swap(aba(m, d, swap(q), swap(v), swap(tau))) : Vec(aba(m, d, q, v, tau));
-      EXPECT_LE(relative(back, a), 1e3 * eps<double>());
-      return tau;
-    };
-    const Vec tau = tau_of(build(SE3<double>::Identity(), false, false), false);
-    EXPECT_LE(relative(tau_of(build(X, false, false), false), tau), 64 * eps<double>());
-    EXPECT_LE(relative(tau_of(build(far, false, false), false), tau), 64 * eps<double>());
-    EXPECT_LE(relative(tau_of(build(X, true, false), true), tau), 64 * eps<double>());
-    EXPECT_LE(relative(tau_of(build(X, false, true), false), tau), 64 * eps<double>());
-  }
-}
-
-// A mimic joint constrains the free robot to q = G y + offset. Then tau = G^T tau_free and M = G^T M_free G.
-TEST(Dynamics, ARobotWithAMimicEqualsTheConstrainedFreeRobot) {
-  for (unsigned seed = 71; seed <= 76; ++seed) {
-    Random random(seed);
-    const bool chained = seed % 2;
-    Model<double> tied, free;
-    std::vector<Joint<double>> joints = {
-        Revolute<double>(random.vector(1)), Prismatic<double>(random.vector(1)),
-        Helical<double>(random.vector(1), 0.2), Revolute<double>(Axis<double>::X())};
-    const double factor = random.uniform(-2, 2), offset = random.uniform(-1, 1);
-    for (int i = 0; i < 4; ++i) {
-      const SE3<double> X = random.pose();
-      const Inertia<double> I = random.body(2);
-      const std::string name = "j" + std::to_string(i);
-      const int parent = chained ? i : i == 0 ? 0 : 1;
-      free.addJoint(parent, joints[std::size_t(i)], X, name);
-      if (i == 2)
-        tied.addJoint(parent, Mimic<double>(std::get<Helical<double>>(joints[2]), 2, factor, offset), X,
-                      name);
-      else
-        tied.addJoint(parent, joints[std::size_t(i)], X, name);
-      free.appendBodyToJoint(i + 1, I), tied.appendBodyToJoint(i + 1, I);
-    }
-    ASSERT_EQ(tied.nv, 3);
-    EXPECT_EQ(tied.idx_vs, (std::vector<int>{0, 0, 1, 1, 2}));
-    Mat G = Mat::Zero(4, 3);
-    G(0, 0) = G(1, 1) = G(3, 2) = 1, G(2, 1) = factor;
-    const Vec y = random.tangent(3, 1), v = random.tangent(3, 2), a = random.tangent(3, 3),
-              tau = random.tangent(3, 4);
-    const Vec q = G * y + offset * Vec::Unit(4, 2);
-    Data<double> dt(tied, Dense::Derivatives), df(free, Dense::Derivatives);
-    const auto same = [](const Mat& x, const Mat& expected) {
-      EXPECT_LE(relative(x, expected), 256 * eps<double>());
-    };
-    same(rnea(tied, dt, y, v, a), (G.transpose() * rnea(free, df, q, Vec(G * v), Vec(G * a))).eval());
-    same(crba(tied, dt, y), (G.transpose() * crba(free, df, q) * G).eval());
-    same(computeJointJacobians(tied, dt, y), (computeJointJacobians(free, df, q) * G).eval());
-    same(computeCentroidalMap(tied, dt, y), (computeCentroidalMap(free, df, q) * G).eval());
-    computeRNEADerivatives(tied, dt, y, v, a), computeRNEADerivatives(free, df, q, Vec(G * v), Vec(G * a));
-    same(dt.dtau_dq(), (G.transpose() * df.dtau_dq() * G).eval());
-    same(dt.dtau_dv(), (G.transpose() * df.dtau_dv() * G).eval());
-    const Vec ddq = aba(tied, dt, y, v, tau);
-    EXPECT_LE(relative(rnea(tied, dt, y, v, ddq), tau), 1e4 * eps<double>());
   }
 }
 

@@ -1,10 +1,9 @@
 // multibody/joints: compares the configuration spaces of every joint with long double and with the
-// free-flyer. Also tests multibody/random_configuration.hpp, nearest_names.hpp and the validity of inertias.
+// free-flyer. Also tests multibody/random_configuration.hpp.
 
 #include <gtest/gtest.h>
 
 #include <liecheck/multibody/random_configuration.hpp>
-#include <liecheck/spatial/inertia.hpp>
 
 #include "long_double.hpp"
 #include "random_tree.hpp"
@@ -204,71 +203,6 @@ TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
     sum += q;
   }
   EXPECT_LE((sum / 1000).cwiseAbs().maxCoeff(), 0.125 + 0.1);
-}
-
-TEST(Inertia, WhyUnphysicalNamesTheReason) {
-  const auto of = [](double m, const V3& moments) {
-    const Matrix3<double> R = exp3<double>(V3(0.3, -0.4, 0.5)), I = R * moments.asDiagonal() * R.transpose();
-    return Inertia<double>(m, V3(0.1, 0, 0), Matrix3<double>((I + I.transpose()) / 2));
-  };
-  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.06})), "");
-  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.07})), "");  // a flat plate
-  EXPECT_EQ(whyUnphysical(of(0, {0, 0, 0})), "");
-  EXPECT_TRUE(
-      whyUnphysical(of(2, {0.02, 0.03, 0.06})).starts_with("a principal moment of inertia is larger"));
-  EXPECT_TRUE(
-      whyUnphysical(of(2, {-0.02, 0.05, 0.05})).starts_with("a principal moment of inertia is negative"));
-  EXPECT_TRUE(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).starts_with("the mass is negative: -2"));
-  EXPECT_TRUE(
-      whyUnphysical(of(2, {0.02, 0.05, INFINITY})).starts_with("a number of the inertia is not finite: "));
-  Matrix3<double> crooked = of(2, {0.02, 0.05, 0.06}).inertia();
-  crooked(0, 1) += 1e-3;
-  EXPECT_TRUE(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked))
-                  .starts_with("the inertia is not symmetric: two products of inertia are "));
-}
-TEST(Inertia, ThePseudoInertiaIsPositiveIfAndOnlyIfTheInertiaIsPhysical) {
-  Random random(7);
-  for (int i = 0; i < 200; ++i) {
-    const V3 moments = random.vector(1).cwiseAbs();
-    const Matrix3<double> R = exp3<double>(random.vector(3)), I = R * moments.asDiagonal() * R.transpose();
-    const Inertia<double> body(random.uniform(0.1, 3), random.vector(0.3),
-                               Matrix3<double>((I + I.transpose()) / 2));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(pseudoInertia(body));
-    if (std::abs(solver.eigenvalues()[0]) < 1e-12) continue;
-    EXPECT_EQ(solver.eigenvalues()[0] > 0, whyUnphysical(body).empty());
-  }
-  // A uniform rod of 1 kg along x from 0 to 2 m has the second moment 4/3 and the first moment 1.
-  const Inertia<double> rod(1, V3(1, 0, 0), Matrix3<double>(V3(0, 1 / 3.0, 1 / 3.0).asDiagonal()));
-  EXPECT_NEAR(pseudoInertia(rod)(0, 0), 4 / 3.0, 4 * eps<double>());
-  EXPECT_EQ(pseudoInertia(rod)(0, 3), 1);
-}
-
-TEST(Model, AnUnknownRequiredNameIsRefusedWithTheNearestNames) {
-  Model<double> m;
-  for (const char* name : {"left_hip", "left_knee", "right_hip", "head"}) {
-    m.addJoint(0, Revolute<double>(Axis<double>::X()), SE3<double>::Identity(), name);
-    m.addJointFrame(m.njoints - 1);
-  }
-  EXPECT_EQ(m.requireJointId("head"), 4);
-  EXPECT_EQ(refusal([&] { m.requireJointId("left_hop"); }),
-            "no joint is named 'left_hop', the nearest are 'left_hip', 'left_knee' and 'right_hip'");
-  EXPECT_TRUE(refusal([&] {
-                m.requireFrameId("haed");
-              }).starts_with("no frame is named 'haed', the nearest are 'head', "));
-  m.addBodyFrame("head", 4);
-  EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }),
-            "several frames are named 'head': give the type as well");
-  EXPECT_EQ(m.getFrameId("head", FrameType::BODY), 5);
-}
-TEST(Model, LimitsAreInfiniteAndFrictionIsZeroByDefault) {
-  const Model<double> m = oneOfEach(1);
-  EXPECT_EQ(m.effortLimit.size(), m.nv);
-  EXPECT_EQ(m.upperPositionLimit.size(), m.nq);
-  EXPECT_TRUE((m.lowerPositionLimit.array() == -INFINITY).all() &&
-              (m.velocityLimit.array() == INFINITY).all());
-  EXPECT_EQ(m.friction.norm() + m.damping.norm(), 0);
-  EXPECT_EQ(m.gravity, V3(0, 0, -9.81));
-  EXPECT_EQ(m.cast<float>().upperPositionLimit.size(), m.nq);
 }
 
 }  // namespace

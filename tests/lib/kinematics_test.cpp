@@ -1,4 +1,4 @@
-// algorithms/kinematics, frames, jacobians, against differences of poses and values computed by hand.
+// algorithms/kinematics, frames, jacobians, centroidal, against differences of poses and values computed by hand.
 
 #include <gtest/gtest.h>
 
@@ -176,6 +176,32 @@ TEST(Jacobians, TimeVariationsAreTheirDerivatives) {
                        return Matrix6X<Real>(computeJointJacobians(ml, dl, along(ml, s, t)));
                      }).cast<double>();
     EXPECT_LE(relative(d.dJ(), rate, 1), 1e-12);
+  });
+}
+
+TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
+  forEachRobot(1, 24, 22, [](const Model<double>& m, const State& s, Random&) {
+    Data<double> d(m);
+    const auto hg = computeCentroidalMomentum(m, d, s.q, s.v).to_vector();
+    const Vec through_map = computeCentroidalMap(m, d, s.q) * s.v;
+    const double size = d.Ag().norm() * s.v.norm();
+    EXPECT_LE((hg - through_map).norm(), budget(m) * size);
+    jacobianCenterOfMass(m, d, s.q), centerOfMass(m, d, s.q, s.v);
+    EXPECT_LE((d.Jcom() * s.v - d.vcom()).norm(), budget(m) * d.Jcom().norm() * s.v.norm());
+    const Model<Real> ml = m.cast<Real>();
+    Data<Real> dl(ml);
+    const VecL v = s.v.cast<Real>(), a = s.a.cast<Real>();
+    const Vector6<Real> rate = derivative([&](Real t) {
+      return computeCentroidalMomentum(ml, dl, along(ml, s, t), VecL(v + t * a)).to_vector();
+    });
+    const auto dhg = computeCentroidalMomentumTimeVariation(m, d, s.q, s.v, s.a).to_vector();
+    EXPECT_LE(relative(dhg, Vec(rate.cast<double>()), size), 1e-12);
+    const Vector3<Real> vcom = derivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
+    const Vector3<Real> acom =
+        secondDerivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
+    centerOfMass(m, d, s.q, s.v, s.a);
+    EXPECT_LE(relative(d.vcom(), vcom.cast<double>().eval(), 1), 1e-12);
+    EXPECT_LE(relative(d.acom(), acom.cast<double>().eval(), 1), 1e-11);
   });
 }
 

@@ -281,6 +281,34 @@ TEST(Model, CastRefusesConstantsThatAreTooLargeForTheScalar) {
   EXPECT_EQ(refused([](Model<double>& m) { m.gravity.z() = -1e100; }), "cast: gravity" + text);
 }
 
+TEST(Model, AnUnknownRequiredNameIsRefusedWithTheNearestNames) {
+  Model<double> m;
+  for (const char* name : {"left_hip", "left_knee", "right_hip", "head"}) {
+    m.addJoint(0, Revolute<double>(Axis<double>::X()), SE3<double>::Identity(), name);
+    m.addJointFrame(m.njoints - 1);
+  }
+  EXPECT_EQ(m.requireJointId("head"), 4);
+  EXPECT_EQ(refusal([&] { m.requireJointId("left_hop"); }),
+            "no joint is named 'left_hop', the nearest are 'left_hip', 'left_knee' and 'right_hip'");
+  EXPECT_TRUE(refusal([&] {
+                m.requireFrameId("haed");
+              }).starts_with("no frame is named 'haed', the nearest are 'head', "));
+  m.addBodyFrame("head", 4);
+  EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }),
+            "several frames are named 'head': give the type as well");
+  EXPECT_EQ(m.getFrameId("head", FrameType::BODY), 5);
+}
+TEST(Model, LimitsAreInfiniteAndFrictionIsZeroByDefault) {
+  const Model<double> m = test::randomModel(1, test::joint_kinds);
+  EXPECT_EQ(m.effortLimit.size(), m.nv);
+  EXPECT_EQ(m.upperPositionLimit.size(), m.nq);
+  EXPECT_TRUE((m.lowerPositionLimit.array() == -INFINITY).all() &&
+              (m.velocityLimit.array() == INFINITY).all());
+  EXPECT_EQ(m.friction.norm() + m.damping.norm(), 0);
+  EXPECT_EQ(m.gravity, V3(0, 0, -9.81));
+  EXPECT_EQ(m.cast<float>().upperPositionLimit.size(), m.nq);
+}
+
 TEST(Joint, ShortnamesAreThoseOfPinocchio) {
   const V3 tilted(1, 1, 0);
   EXPECT_EQ(FreeFlyer<double>().shortname(), "JointModelFreeFlyer");

@@ -2,42 +2,16 @@
 // 1 eps for tight, 6 for standard, 16 for fast. `liecheck hunt --subject liecheck:tight` covers all angles.
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/multiprecision/mpfr.hpp>
-#include <liecheck/multibody/se3_configuration.hpp>
 #include <random>
 
+#include "fifty_digits.hpp"
 #include "scalar_test.hpp"
 
 namespace liecheck {
 namespace {
 
-using Real = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
-    boost::multiprecision::et_off>;
-
-// Not inlined: they are expensive to compile, and each is called for every precision of two scalars.
-[[gnu::noinline]] SE3<Real> exact_exp6(const Vector6<Real>& xi) {
-  return exp6<Real>(Motion<Real>(xi));
-}
-[[gnu::noinline]] Vector6<Real> exact_log6(const SE3<Real>& T) {
-  return log6<Real>(T).to_vector();
-}
-[[gnu::noinline]] Vector7<Real> exact_integrate(const Vector7<Real>& q, const Vector6<Real>& xi) {
-  return integrateSE3<Real>(q, xi);
-}
-[[gnu::noinline]] Vector6<Real> exact_difference(const Vector7<Real>& q0, const Vector7<Real>& q1) {
-  return differenceSE3<Real>(q0, q1);
-}
-[[gnu::noinline]] Matrix6<Real> exact_left_jacobian(const Vector6<Real>& xi) {
-  return leftJacobian<Real>(Motion<Real>(xi));
-}
-[[gnu::noinline]] Matrix6<Real> exact_Jlog6(const SE3<Real>& T) {
-  return Jlog6<Real>(T);
-}
-[[gnu::noinline]] Matrix6<Real> exact_left_jacobian_inverse(const Vector6<Real>& xi) {
-  return leftJacobianInverse<Real>(Motion<Real>(xi));
-}
+using namespace test;
+using Real = Digits50;
 
 /// ||a - b|| / ||b|| of a block, in eps.
 template <class S, class A, class B>

@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/jacobians.hpp>
 #include <numbers>
+
+#include "random_tree.hpp"
 
 namespace liecheck {
 namespace {
@@ -132,6 +135,43 @@ TEST(InertiaOfABody, MayBeInvalidAlthoughItsEntriesArePositive) {
   EXPECT_FALSE(with(-1, 1, 1).isValid());
   EXPECT_FALSE(Inertia<double>(0, V3::Zero(), Matrix3<double>::Identity()).isValid());
   EXPECT_FALSE(Inertia<double>(NAN, V3::Zero(), Matrix3<double>::Identity()).isValid());
+}
+
+TEST(Inertia, WhyUnphysicalNamesTheReason) {
+  const auto of = [](double m, const V3& moments) {
+    const Matrix3<double> R = exp3<double>(V3(0.3, -0.4, 0.5)), I = R * moments.asDiagonal() * R.transpose();
+    return Inertia<double>(m, V3(0.1, 0, 0), Matrix3<double>((I + I.transpose()) / 2));
+  };
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.06})), "");
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.07})), "");  // a flat plate
+  EXPECT_EQ(whyUnphysical(of(0, {0, 0, 0})), "");
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {0.02, 0.03, 0.06})).starts_with("a principal moment of inertia is larger"));
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {-0.02, 0.05, 0.05})).starts_with("a principal moment of inertia is negative"));
+  EXPECT_TRUE(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).starts_with("the mass is negative: -2"));
+  EXPECT_TRUE(
+      whyUnphysical(of(2, {0.02, 0.05, INFINITY})).starts_with("a number of the inertia is not finite: "));
+  Matrix3<double> crooked = of(2, {0.02, 0.05, 0.06}).inertia();
+  crooked(0, 1) += 1e-3;
+  EXPECT_TRUE(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked))
+                  .starts_with("the inertia is not symmetric: two products of inertia are "));
+}
+TEST(Inertia, ThePseudoInertiaIsPositiveIfAndOnlyIfTheInertiaIsPhysical) {
+  test::Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const V3 moments = random.vector(1).cwiseAbs();
+    const Matrix3<double> R = exp3<double>(random.vector(3)), I = R * moments.asDiagonal() * R.transpose();
+    const Inertia<double> body(random.uniform(0.1, 3), random.vector(0.3),
+                               Matrix3<double>((I + I.transpose()) / 2));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(pseudoInertia(body));
+    if (std::abs(solver.eigenvalues()[0]) < 1e-12) continue;
+    EXPECT_EQ(solver.eigenvalues()[0] > 0, whyUnphysical(body).empty());
+  }
+  // A uniform rod of 1 kg along x from 0 to 2 m has the second moment 4/3 and the first moment 1.
+  const Inertia<double> rod(1, V3(1, 0, 0), Matrix3<double>(V3(0, 1 / 3.0, 1 / 3.0).asDiagonal()));
+  EXPECT_NEAR(pseudoInertia(rod)(0, 0), 4 / 3.0, 4 * eps<double>());
+  EXPECT_EQ(pseudoInertia(rod)(0, 3), 1);
 }
 
 TEST(RotationMatrix, LogInvertsExpForEveryPivot) {
