@@ -62,93 +62,80 @@ inline const std::vector<EffectScene>& effect_scenes() {
         {"contact", "frames: [tool, fin], " + touch + turn + points}};
     std::vector<EffectScene> scenes = both;
     for (EffectScene& s : both) s.lone = true, scenes.push_back(s);
+    const auto add = [&](const std::vector<EffectScene>& more) {
+      scenes.insert(scenes.end(), more.begin(), more.end());
+    };
     for (const bool lone : {false, true}) {
-      const std::string where = lone ? on_root : "";
-      scenes.push_back({"joint_damping", where + "coefficient: 0.3", false, lone});
-      scenes.push_back({"joint_friction", where + "force: 0.4, slip: 0.5", false, lone});
-      scenes.push_back(
-          {"constant", (lone ? on_root : "joints: [shoulder, spin], ") + "force: 0.8", true, lone});
-      scenes.push_back({"table",
-                        (lone ? on_root : "joints: [shoulder, slide], ") +
-                            "times: [0.05, 0.1, 0.25], forces: [0.5, 3, -2]",
-                        true, lone});
+      const std::string where = lone ? on_root : "", two = lone ? on_root : "joints: [shoulder, spin], ",
+                        other = lone ? on_root : "joints: [shoulder, slide], ";
+      add({{"joint_damping", where + "coefficient: 0.3", false, lone},
+           {"joint_friction", where + "force: 0.4, slip: 0.5", false, lone},
+           {"constant", two + "force: 0.8", true, lone},
+           {"table", other + "times: [0.05, 0.1, 0.25], forces: [0.5, 3, -2]", true, lone}});
     }
-    for (const EffectScene& s : std::vector<EffectScene>{
-             {"joint_damping", ""},
-             {"joint_friction", "slip: 0.4"},
-             {"joint_spring", "stiffness: 5, rest: 0.3"},
-             {"joint_limits", "stiffness: 60, dissipation: 0.9", false, false, "free_flyer", flat, "[]", 0.2},
-             {"joint_limits", "stiffness: 60, dissipation: 1.5", false, false, "free_flyer", flat, "[]",
-              0.1},  // the slide leaves its limit faster than 1/c
-             {"armature", "inertia: 0.05"},
-             {"armature", on_root + "inertia: 0.3"},
-             {"pd", "stiffness: 30, damping: 0.5, target: [0.2, 0.05]", true}})
-      scenes.push_back(s);
-    for (const EffectScene& s : std::vector<EffectScene>{
-             {"wrench", place + cubic +
-                            "axes: world, rows: [[0, 1, 2, 0.5, 0.2, -0.1, 0.3], [0.1, -1, 0.5, 2, 0, "
-                            "0.3, 0.1], [0.15, 2, -1, 1, -0.3, 0.2, 0], [0.25, 0, 1, -1, 0.1, 0.1, -0.2]]"},
-             {"wrench", place + "rows: [[0.05, 1, 2, 0.5], [0.15, -1, 0.5, 2]], force: [0.3, 0, 1]"},
-             {"pd",
-              "joints: shoulder, stiffness: 30, damping: 0.5, " + cubic +
-                  "rows: [[0, 0.3], [0.1, 0.35], [0.25, 0.2], [0.4, 0.3]]",
-              true},
-             {"pd", "stiffness: 30, damping: 0.5, rows: [[0.05, 0.2, 0.1], [0.2, 0.25, 0.15]]", true},
-             {"table",
-              cubic + "joints: [shoulder, slide], rows: [[0.05, 0.5, 1], [0.1, 3, -1], [0.25, -2, 0.5]]",
-              true},
-             {"motor",
-              "joints: [shoulder, slide], ratio: 2, rotor_inertia: 0.01, efficiency: 0.8, slip: 0.5, "
-              "stall_torque: 1.2, force: 0.4, stiffness: 30, damping: 0.5, target: [0.2, 0.05]",
-              true},
-             {"motor",
-              "joints: [shoulder, spin], ratio: 2, rotor_inertia: 0.01, efficiency: 0.8, slip: 0.5, "
-              "stall_torque: 1, no_load_speed: 8, force: 5",
-              true},
-             {"motor",
-              "joints: [shoulder, slide], rotor_inertia: 0.02, stiffness: 30, damping: 0.5, " + cubic +
-                  "rows: [[0, 0.3, 0.1], [0.1, 0.35, 0.2], [0.3, 0.2, 0.1]]",
-              true},
-             {"motor",
-              "joints: [shoulder, spin], ratio: 3, efficiency: 0.7, slip: 0.5, forces: [[0.05, 0.5, 1], "
-              "[0.2, 1, 0.3]]",
-              true}})
-      scenes.push_back(s);
-    for (const EffectScene& s : std::vector<EffectScene>{
-             {"added_mass", "masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]"},
-             {"added_mass", "masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false, true},
-             {"added_mass", "joint: a_joint, masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false,
-              false, "bodies"},
-             {"closed_loops", "frames: [tool, hook], rate: 15", false, false, "free_flyer", flat, "[]", 0.15},
-             {"closed_loops", "frames: [tool, hook], type: weld", false, false, "free_flyer", flat, "[]",
-              0.15},
-             {"closed_loops", "frames: [tool, fin], rate: 10", false, false, "bodies"}})
-      scenes.push_back(s);
+    add({{"joint_damping", ""},
+         {"joint_friction", "slip: 0.4"},
+         {"joint_spring", "stiffness: 5, rest: 0.3"},
+         {"joint_limits", "stiffness: 60, dissipation: 0.9", false, false, "free_flyer", flat, "[]", 0.2},
+         {"joint_limits", "stiffness: 60, dissipation: 1.5", false, false, "free_flyer", flat, "[]",
+          0.1},  // the slide leaves its limit faster than 1/c
+         {"armature", "inertia: 0.05"},
+         {"armature", on_root + "inertia: 0.3"},
+         {"pd", "stiffness: 30, damping: 0.5, target: [0.2, 0.05]", true},
+         {"wrench", place + cubic +
+                        "axes: world, rows: [[0, 1, 2, 0.5, 0.2, -0.1, 0.3], [0.1, -1, 0.5, 2, 0, 0.3, 0.1], "
+                        "[0.15, 2, -1, 1, -0.3, 0.2, 0], [0.25, 0, 1, -1, 0.1, 0.1, -0.2]]"},
+         {"wrench", place + "rows: [[0.05, 1, 2, 0.5], [0.15, -1, 0.5, 2]], force: [0.3, 0, 1]"},
+         {"pd",
+          "joints: shoulder, stiffness: 30, damping: 0.5, " + cubic +
+              "rows: [[0, 0.3], [0.1, 0.35], [0.25, 0.2], [0.4, 0.3]]",
+          true},
+         {"pd", "stiffness: 30, damping: 0.5, rows: [[0.05, 0.2, 0.1], [0.2, 0.25, 0.15]]", true},
+         {"table", cubic + "joints: [shoulder, slide], rows: [[0.05, 0.5, 1], [0.1, 3, -1], [0.25, -2, 0.5]]",
+          true},
+         {"motor",
+          "joints: [shoulder, slide], ratio: 2, rotor_inertia: 0.01, efficiency: 0.8, slip: 0.5, "
+          "stall_torque: 1.2, force: 0.4, stiffness: 30, damping: 0.5, target: [0.2, 0.05]",
+          true},
+         {"motor",
+          "joints: [shoulder, spin], ratio: 2, rotor_inertia: 0.01, efficiency: 0.8, slip: 0.5, "
+          "stall_torque: 1, no_load_speed: 8, force: 5",
+          true},
+         {"motor",
+          "joints: [shoulder, slide], rotor_inertia: 0.02, stiffness: 30, damping: 0.5, " + cubic +
+              "rows: [[0, 0.3, 0.1], [0.1, 0.35, 0.2], [0.3, 0.2, 0.1]]",
+          true},
+         {"motor",
+          "joints: [shoulder, spin], ratio: 3, efficiency: 0.7, slip: 0.5, forces: [[0.05, 0.5, 1], [0.2, 1, "
+          "0.3]]",
+          true},
+         {"added_mass", "masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]"},
+         {"added_mass", "masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false, true},
+         {"added_mass", "joint: a_joint, masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false, false,
+          "bodies"},
+         {"closed_loops", "frames: [tool, hook], rate: 15", false, false, "free_flyer", flat, "[]", 0.15},
+         {"closed_loops", "frames: [tool, hook], type: weld", false, false, "free_flyer", flat, "[]", 0.15},
+         {"closed_loops", "frames: [tool, fin], rate: 10", false, false, "bodies"}});
     const std::string balls =
         "[{shape: sphere, on: tool, radius: 0.15}, {shape: sphere, on: fin, radius: 0.12}]";
-    for (
-        const EffectScene& s : std::vector<EffectScene>{
-            {"collisions", touch + turn, false, false, "bodies", flat, balls},
-            {"collisions", "bodies: [tool, fin], exponent: 2, " + touch, false, false, "bodies", flat, balls},
-            {"collisions", touch, false, false, "bodies", flat,
-             "[{shape: capsule, on: tool, radius: 0.12, length: 0.8}, {shape: capsule, on: fin, radius: 0.1, "
-             "length: 0.7}]"},
-            {"collisions", touch, false, false, "bodies", flat,
-             "[{shape: box, on: universe, position: [0.45, 0.1, -0.25], size: [0.3, 1, 1]}, {shape: sphere, "
-             "on: "
-             "tool, radius: 0.15}]"},
-            {"contact", "bodies: all, exponent: 2, " + touch, false, true, "free_flyer", flat,
-             "[{shape: sphere, on: tool, radius: 0.2}, {shape: capsule, on: fin, position: [0.1, 0, 0], "
-             "radius: "
-             "0.1, length: 0.3}]"},
-            {"contact", "bodies: fin, " + touch, false, true, "free_flyer", "{height: 0.1}",
-             "[{shape: box, on: fin, position: [0.1, 0, 0], size: [0.2, 0.3, 0.25]}]", 0.1}})
-      scenes.push_back(s);
-    scenes.push_back({"gravity", "", false, false, "spherical"});
-    scenes.push_back({"gravity", "", false, false, "planar"});
-    scenes.push_back({"gravity", "", false, false, "translation"});
-    scenes.push_back({"contact", "frames: [tool, fin], " + touch + points, false, false, "free_flyer",
-                      "{height: 0, normal: [0.1, -0.2, 1]}"});
+    add({{"collisions", touch + turn, false, false, "bodies", flat, balls},
+         {"collisions", "bodies: [tool, fin], exponent: 2, " + touch, false, false, "bodies", flat, balls},
+         {"collisions", touch, false, false, "bodies", flat,
+          "[{shape: capsule, on: tool, radius: 0.12, length: 0.8}, {shape: capsule, on: fin, radius: 0.1, "
+          "length: 0.7}]"},
+         {"collisions", touch, false, false, "bodies", flat,
+          "[{shape: box, on: universe, position: [0.45, 0.1, -0.25], size: [0.3, 1, 1]}, {shape: sphere, on: "
+          "tool, radius: 0.15}]"},
+         {"contact", "bodies: all, exponent: 2, " + touch, false, true, "free_flyer", flat,
+          "[{shape: sphere, on: tool, radius: 0.2}, {shape: capsule, on: fin, position: [0.1, 0, 0], radius: "
+          "0.1, length: 0.3}]"},
+         {"contact", "bodies: fin, " + touch, false, true, "free_flyer", "{height: 0.1}",
+          "[{shape: box, on: fin, position: [0.1, 0, 0], size: [0.2, 0.3, 0.25]}]", 0.1},
+         {"gravity", "", false, false, "spherical"},
+         {"gravity", "", false, false, "planar"},
+         {"gravity", "", false, false, "translation"},
+         {"contact", "frames: [tool, fin], " + touch + points, false, false, "free_flyer",
+          "{height: 0, normal: [0.1, -0.2, 1]}"}});
     return scenes;
   }();
   return all;
@@ -164,15 +151,14 @@ inline scene::Scene scene_of(const EffectScene& s) {
   const bool linkage = s.root == "linkage", tree = !s.lone && s.root != "bodies" && !linkage,
              flies = s.lone || s.root == "free_flyer";
   const std::string body =
-      "body: body, mass: 2, moments: [0.05, 0.07, 0.06], centre: [0.05, -0.02, 0.03], turned: "
-      "[0.2, 0.1, 0.4]";
+      "body: body, mass: 2, moments: [0.05, 0.07, 0.06], centre: [0.05, -0.02, 0.03], turned: [0.2, 0.1, "
+      "0.4]";
   const std::string two = "bodies: [{name: a, " + body +
                           ", attitude: [0.4, 0.3, -0.6], velocity: [0.5, 0.2, -0.3], angular_velocity: [0.7, "
                           "-1.1, 0.9]}, {name: b, " +
                           body +
                           ", position: [0, 0.1, 0.1], attitude: [-0.4, -0.2, -0.1], velocity: [1.2, 0.3, "
-                          "-0.6], angular_velocity: "
-                          "[-0.6, -0.2, -0.5]}]";
+                          "-0.6], angular_velocity: [-0.6, -0.2, -0.5]}]";
   const std::string bars = "urdf: " LIECHECK_FIXTURES "/scenes/four_bar.urdf, root: fixed",
                     robot = s.lone    ? body
                             : linkage ? bars
@@ -203,8 +189,7 @@ inline scene::Scene scene_of(const EffectScene& s) {
       "robot: {" + robot + "}\nground: " + s.ground + "\nframes:\n  - {name: tool, on: " + first +
           ", position: [0.1, 0.05, -0.2], attitude: [0.3, -0.5, 0.7]}\n  - {name: fin, on: " + second +
           ", position: [-0.2, 0.1, -0.05], attitude: [0.1, 0.2, -0.3]}\n  - {name: hook, on: universe, "
-          "position: "
-          "[0.4, -0.1, 0.2], attitude: [0.2, 0.1, -0.4]}\nshapes: " +
+          "position: [0.4, -0.1, 0.2], attitude: [0.2, 0.1, -0.4]}\nshapes: " +
           s.shapes + "\n" + (start.empty() ? "" : "initial: {" + start + "}\n") +
           (s.actuation ? "actuation: " : "effects: ") + part +
           "integrator: {name: gauss12, step: 5 ms}\nduration: " + std::to_string(s.duration) + " s\n",
