@@ -135,8 +135,7 @@ std::string balls666(const std::string& contact) {
          "    - {name: a, body: ball, mass: 1, radius: 0.1, position: [0, 0, 0.12], copies: [6, 6, 9], "
          "spacing: [0.24, 0.25, 0.41]}\n"
          "    - {name: b, body: ball, mass: 1, radius: 0.1, position: [0.04, 0.03, 0.33], copies: [6, 6, 9], "
-         "spacing: [0.23, 0.24, "
-         "0.41]}\n"
+         "spacing: [0.23, 0.24, 0.41]}\n"
          "    - {name: c, body: ball, mass: 1, radius: 0.1, position: [0.02, 0.07, 3.9], copies: [6, 3, 1], "
          "spacing: [0.26, 0.5, 0]}\n"
          "ground: {height: 0}\nobservers: [energy, momentum]\neffects: [gravity, collisions: {" +
@@ -166,11 +165,9 @@ TEST(Collisions, AHeapOfBallsComesToRestAndItsEnergyNeverRises) {
   const scene::Run run = runOf(
       "robot:\n  bodies:\n"
       "    - {name: a, body: ball, radius: 0.1, position: [0, 0, 0.12], copies: [3, 3, 3], spacing: [0.22, "
-      "0.23, "
-      "0.38]}\n"
+      "0.23, 0.38]}\n"
       "    - {name: b, body: ball, radius: 0.1, position: [0.1, 0.12, 0.3], copies: [2, 2, 3], spacing: "
-      "[0.21, 0.24, "
-      "0.38]}\n"
+      "[0.21, 0.24, 0.38]}\n"
       "ground: {height: 0}\nobservers: [energy]\neffects: [gravity, collisions: {" +
       law + "}, contact: {bodies: all, " + law +
       "}]\nintegrator: {name: rkmk4, step: 0.5 ms}\nduration: 3 s\noutput: {every: 10 ms}\n");

@@ -57,8 +57,7 @@ TEST(Contact, ABallOnASlopeRollsOrSlidesOnBothSidesOfTheCriticalSlope) {
 /// A rolling resistance rho N brakes a rolling ball with 5/7 rho g/r, and torsion stops a spin with tau m g/I.
 TEST(Contact, RollingAndTorsionalFrictionBrakeAsTheirClosedForms) {
   const scene::Run rolled = end(ball("velocity: [1, 0, 0], angular_velocity: [0, 10, 0]",
-                                     "friction: 0.5, rolling: 2 mm, "
-                                     "angular_slip: 1e-4"),
+                                     "friction: 0.5, rolling: 2 mm, angular_slip: 1e-4"),
                                 1);
   EXPECT_NEAR(velocity(rolled)[0], 1 - 5. / 7 * 0.002 * g / r, 1e-4);
   const scene::Run spun = end(ball("angular_velocity: [0, 0, 30]", "torsion: 1 mm, angular_slip: 1e-4"), 1);

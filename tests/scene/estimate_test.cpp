@@ -20,7 +20,7 @@ struct Judged {
   double position, angle;  ///< accepted [m, rad]
 };
 
-const std::vector<Judged>& scenes() {
+const std::vector<Judged>& judgedScenes() {
   static const std::vector<Judged> all = {
       {"a quadruped dropped on compliant ground",
        "robot: {urdf: ../robots/quadruped.urdf}\nground: {height: 0}\n"
@@ -38,13 +38,12 @@ const std::vector<Judged>& scenes() {
        "duration: 1 s\n",
        1e-4, 1},
       {"a box that slides and rests",
-       sliding_box +
-           "  - contact: {frames: [c1, c2, c3, c4], stiffness: 20 kN/m, dissipation: 0.5 s/m, friction: 0.5, "
-           "slip: 10 mm/s}\nduration: 1 s\n",
+       sliding_box + "  - contact: {frames: [c1, c2, c3, c4], stiffness: 20 kN/m, dissipation: 0.5 s/m, "
+                     "friction: 0.5, slip: 10 mm/s}\nduration: 1 s\n",
        1e-3, 0.01},
       {"a damped hinge that comes to rest",
-       "robot: {body: box, root: revolute, axis: [1, 0, 0], mass: 1 kg, size: [0.02, 0.02, 1], "
-       "centre: [0, 0, -0.5]}\ninitial: {joints: {root_joint: 1}}\n"
+       "robot: {body: box, root: revolute, axis: [1, 0, 0], mass: 1 kg, size: [0.02, 0.02, 1], centre: [0, "
+       "0, -0.5]}\ninitial: {joints: {root_joint: 1}}\n"
        "effects: [gravity, joint_damping: {coefficient: 1}, joint_friction: {force: 0.2, slip: 0.01}]\n"
        "duration: 10 s\n",
        1, 1e-3},
@@ -131,7 +130,7 @@ TEST_P(EachJudgedScene, IsAlarmedWhereItMissesItsAccuracyAndCuredByWhatIsAdvised
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, EachJudgedScene, testing::ValuesIn(scenes()), [](const auto& i) {
+INSTANTIATE_TEST_SUITE_P(Scene, EachJudgedScene, testing::ValuesIn(judgedScenes()), [](const auto& i) {
   return std::regex_replace(i.param.name, std::regex("[^a-z0-9]"), "_");
 });
 
@@ -168,8 +167,8 @@ TEST(Estimate, NamesTheEnergyThatASceneMustKeep) {
 TEST(Estimate, NamesTheStiffestEffectAndAStepThatIsStable) {
   const scene::Scene s = loadSceneText(
       "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joint_velocities: "
-      "{root_joint: "
-      "1}}\neffects: [joint_damping: {coefficient: 1000}, joint_spring: {stiffness: 10}]\nduration: 0.1 s\n"
+      "{root_joint: 1}}\neffects: [joint_damping: {coefficient: 1000}, joint_spring: {stiffness: "
+      "10}]\nduration: 0.1 s\n"
       "integrator: {name: rkmk4, step: 4 ms}\n");
   scene::Setup<scene::Tree<double>> setup(s);
   const auto at = [&](double h) { return scene::stabilityOf(setup, setup.start, h); };

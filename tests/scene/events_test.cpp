@@ -27,7 +27,7 @@ const std::string swing =
     "robot: {body: box, root: revolute, axis: [1, 0, 0], mass: 1 kg, size: [0.02, 0.02, 1], "
     "centre: [0, 0, -0.5]}\ninitial: {joints: {root_joint: 1}}\n";
 
-const std::vector<Timed>& scenes() {
+const std::vector<Timed>& timedScenes() {
   static const std::string gravity = "  - gravity\n",
                            push = "frame: body, force: [3, -2, 1], moment: [1, 2, -1]",
                            fan = "frame: body, thrust: 4 N, direction: [1, 2, 3], moment_ratio: 0.2",
@@ -124,7 +124,7 @@ void check(const Timed& s, const scene::MethodInfo& info) {
 class EachMethodAcrossEvents : public testing::TestWithParam<scene::MethodInfo> {};
 
 TEST_P(EachMethodAcrossEvents, KeepsItsOrder) {
-  for (const Timed& s : scenes()) {
+  for (const Timed& s : timedScenes()) {
     const bool lone = scene::isLoneBody(load(s, s.timed));
     if (lone)
       check<scene::LoneBody<double>>(s, GetParam());

@@ -26,11 +26,10 @@ sc::Run watched(const std::string& imu, const std::string& motion, const std::st
 /// specific force at the origin is omega^2 c in the x-y plane and 0 along z. Gravity is not measured.
 TEST(Imu, ReadsTheSpecificForceAtItsFrameOriginPlusItsBiases) {
   const double w = 3;
-  const sc::Run run =
-      watched(", gyro_bias: [0.01, 0.02, 0.03], accel_bias: [1, 2, 3]",
-              "initial: {velocity: [1, 2, 3], angular_velocity: [0, 0, 3], attitude: [20 deg, 10 "
-              "deg, 0]}\neffects: [gravity]\n",
-              "2 s");
+  const sc::Run run = watched(", gyro_bias: [0.01, 0.02, 0.03], accel_bias: [1, 2, 3]",
+                              "initial: {velocity: [1, 2, 3], angular_velocity: [0, 0, 3], attitude: [20 "
+                              "deg, 10 deg, 0]}\neffects: [gravity]\n",
+                              "2 s");
   const double expected[6] = {0.01, 0.02, 3.03, 1 + w * w * 0.1, 2 - w * w * 0.2, 3};
   const char* const names[6] = {"gyro_x", "gyro_y", "gyro_z", "accel_x", "accel_y", "accel_z"};
   for (int i = 0; i < 6; ++i)

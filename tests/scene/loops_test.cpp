@@ -117,8 +117,7 @@ TEST(ClosedLoops, FollowFromAllOtherForces) {
 /// A body that is tied to the world with an initial gap.
 std::string tied(const std::string& keys, const std::string& initial) {
   return "robot: {body: body, mass: 2, moments: [0.3, 0.5, 0.6]}\nframes: [{name: hook, on: universe, "
-         "position: [1, 2, "
-         "3]}]\ninitial: {" +
+         "position: [1, 2, 3]}]\ninitial: {" +
          initial + "}\neffects: [gravity, closed_loops: {frames: [body, hook], rate: 8" + keys +
          "}]\nintegrator: {name: gauss12, step: 10 ms}\nduration: 1 s\noutput: {every: 0.1 s}\nobservers: "
          "[loop_gaps, state]\n";
@@ -165,8 +164,8 @@ TEST(ClosedLoops, ThatAreOpenAtTheStartAreWarnedAbout) {
 TEST(ClosedLoops, RefuseWhatIsNoLoop) {
   EXPECT_THROW(Recorded(tied(", frames: body", "")), SceneError);
   const std::string odd =
-      "robot: {body: ball, radius: 1}\neffects: [closed_loops: {frames: [body]}]\nintegrator: {name: "
-      "rkmk4, step: 1 ms}\nduration: 1 s\n";
+      "robot: {body: ball, radius: 1}\neffects: [closed_loops: {frames: [body]}]\nintegrator: {name: rkmk4, "
+      "step: 1 ms}\nduration: 1 s\n";
   EXPECT_THROW(Recorded{odd}, SceneError);
 }
 

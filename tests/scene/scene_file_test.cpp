@@ -71,8 +71,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
        "s.yaml:3: gravity.acceleration[2]: 'm/h' is not a unit of this quantity: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 furlong]}]",
        "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', "
-       "'deg' and "
-       "'g'"},
+       "'deg' and 'g'"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 kg]}]",
        "s.yaml:3: gravity.acceleration[2]: 'kg' is not a unit of this quantity: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, -9.81]}]",
@@ -136,8 +135,8 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {1, "robot: {body: bax, size: [1, 2, 3]}",
        "s.yaml:1: no built-in body is named 'bax', the nearest are 'box', 'ball' and 'body'"},
       {1, "robot: {body: body, moments: [1, 1, 3]}",
-       "s.yaml:1: no body can have these moments of inertia: each must be above 0 and no larger than the "
-       "sum of the other two"},
+       "s.yaml:1: no body can have these moments of inertia: each must be above 0 and no larger than the sum "
+       "of the other two"},
       {1, "robot: {body: box, size: [1, 2, 3], mass: 0}", "s.yaml:1: robot.mass is '0': it must be above 0"},
       {1, "robot: {body: box, size: [1e200, 2, 3]}",
        "s.yaml:1: the moments of inertia overflow: take a smaller mass or size"},
@@ -253,9 +252,9 @@ TEST(SceneFile, AStartKeepsWhatItDoesNotSet) {
 TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {
   std::string text =
       "robot: {urdf: chain.urdf}\nintegrator: {name: variational, step: 1 ms}\nduration: 1 s\n";
-  EXPECT_EQ(refusalOfText(text),
-            "s.yaml:2: integrator 'variational' is for one body on a free_flyer root only: "
-            "take implicit_midpoint");
+  EXPECT_EQ(
+      refusalOfText(text),
+      "s.yaml:2: integrator 'variational' is for one body on a free_flyer root only: take implicit_midpoint");
 }
 
 TEST(Units, AreConvertedToSi) {

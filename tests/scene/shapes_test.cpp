@@ -86,13 +86,13 @@ TEST(Shapes, ABoxIsItsEightCorners) {
     names += (k ? ", " : "") + name;
   }
   const auto run = [&](const std::string& of) {
-    return runOf(
-        "robot: {body: box, mass: 2, size: [0.4, 0.3, 0.2]}\nground: {height: 0}\nframes:\n" + corners +
-        "initial: {position: [0, 0, 0.5], velocity: [1, 0, 0], angular_velocity: [3, 4, 5]}\neffects: "
-        "[gravity, contact: {" +
-        of +
-        ", stiffness: 1e4, dissipation: 0.5, friction: 0.5}]\n"
-        "integrator: {name: rkmk4, step: 0.5 ms}\nduration: 1 s\n");
+    return runOf("robot: {body: box, mass: 2, size: [0.4, 0.3, 0.2]}\nground: {height: 0}\nframes:\n" +
+                 corners +
+                 "initial: {position: [0, 0, 0.5], velocity: [1, 0, 0], angular_velocity: [3, 4, "
+                 "5]}\neffects: [gravity, contact: {" +
+                 of +
+                 ", stiffness: 1e4, dissipation: 0.5, friction: 0.5}]\n"
+                 "integrator: {name: rkmk4, step: 0.5 ms}\nduration: 1 s\n");
   };
   const scene::Run box = run("bodies: all"), points = run("frames: [" + names + "]");
   EXPECT_EQ(box.q, points.q);
@@ -115,8 +115,7 @@ TEST(Shapes, ACapsuleStandsAtHalfItsLengthAndItsRadius) {
     const double rest = stands ? 0.2 + 0.1 - 2 * g / 1e4 : 0.1 - 2 * g / 2e4;
     const scene::Run run = runOf(
         "robot: {body: body, mass: 2, moments: [1, 1, 1]}\nground: {height: 0}\nshapes: [{shape: capsule, "
-        "on: "
-        "body, radius: 0.1, length: 0.4, attitude: [" +
+        "on: body, radius: 0.1, length: 0.4, attitude: [" +
         number(stands ? 0 : std::numbers::pi / 2) + ", 0, 0]}]\ninitial: {position: [0, 0, " + number(rest) +
         "]}\neffects: [gravity, contact: {bodies: all, stiffness: 1e4}]\n" + radau(0.2));
     EXPECT_NEAR(run.q[2], rest, 1e-9);
@@ -230,8 +229,7 @@ TEST(Shapes, BadShapesAreRefusedWithARemedy) {
   };
   EXPECT_EQ(contact("{urdf: mesh.urdf}", ", bodies: all"),
             "s.yaml:3: the collision shape of 'foot' is a mesh in line 1 of the URDF: name the bodies "
-            "without it, or "
-            "give the body other shapes: 'shapes: [{shape: box, on: foot, size: [1, 1, 1]}]'");
+            "without it, or give the body other shapes: 'shapes: [{shape: box, on: foot, size: [1, 1, 1]}]'");
   EXPECT_EQ(
       refusal(
           "robot: {urdf: mesh.urdf}\nground: {height: 0}\nshapes: [{shape: box, on: foot, size: [1, 1, 1]}]\n"
@@ -244,8 +242,7 @@ TEST(Shapes, BadShapesAreRefusedWithARemedy) {
             "s.yaml:3: no body named 'bdy' has a collision shape, the nearest is 'body'");
   EXPECT_EQ(contact("{body: top, transverse: 1, axial: 1}", ", bodies: all"),
             "s.yaml:3: the robot has no collision shapes: write 'shapes: [{shape: sphere, on: FRAME, radius: "
-            "0.1}]' in "
-            "the scene");
+            "0.1}]' in the scene");
   EXPECT_EQ(contact("{body: ball, radius: 1}", ", bodies: all, exponent: 0.5"),
             "s.yaml:3: the exponent is below 1: the stiffness would be infinite at first touch");
   const auto shapes = [&](const std::string& list) {

@@ -91,11 +91,10 @@ TEST(Samples, ShowTheForcesJustBeforeThem) {
   ASSERT_EQ(a.size(), 21u);
   for (std::size_t i = 0; i <= 20; ++i) EXPECT_EQ(a[i], i > 10 ? 2 : 0) << i;
   // A trajectory that ends with the run keeps its rate until then.
-  const Recorded pd(
-      rail +
-      "initial: {joint_velocities: {root_joint: 0.5}}\nactuation: [pd: {stiffness: 50, damping: "
-      "20, rows: [[0 s, 0], [1, 0.5], [2, 1]], interpolation: cubic}]\n" +
-      end);
+  const Recorded pd(rail +
+                    "initial: {joint_velocities: {root_joint: 0.5}}\nactuation: [pd: {stiffness: 50, "
+                    "damping: 20, rows: [[0 s, 0], [1, 0.5], [2, 1]], interpolation: cubic}]\n" +
+                    end);
   EXPECT_NEAR(pd["a.root_joint"].back(), 0, 1e-13);
 }
 

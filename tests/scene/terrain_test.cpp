@@ -30,13 +30,12 @@ std::string heights(const std::function<double(double, double)>& z, int n, doubl
 const std::string parts[] = {"frames: [c1, c2, c3, c4]", "bodies: all", "frames: [body], radius: 0.12"};
 /// A box, by corners or as a ball, thrown onto the ground.
 scene::Run thrown(const std::string& ground, const std::string& by, double slope) {
-  return runOf(
-      "robot: {body: box, mass: 2 kg, size: [0.4, 0.4, 0.2]}\n" + corners(0.2, 0.2, -0.1) + ground +
-      "initial: {position: [0.03, 0.02, 0.3], velocity: [0.3, 0.2, 0], angular_velocity: [1, 2, 0.5], "
-      "attitude: [0, " +
-      number(slope) +
-      ", 0]}\neffects: [gravity, contact: {stiffness: 1e4, dissipation: 0.4, friction: 0.5, " + by +
-      "}]\nintegrator: {name: rkmk4, step: 0.1 ms}\nduration: 0.8 s\n");
+  return runOf("robot: {body: box, mass: 2 kg, size: [0.4, 0.4, 0.2]}\n" + corners(0.2, 0.2, -0.1) + ground +
+               "initial: {position: [0.03, 0.02, 0.3], velocity: [0.3, 0.2, 0], angular_velocity: [1, 2, "
+               "0.5], attitude: [0, " +
+               number(slope) +
+               ", 0]}\neffects: [gravity, contact: {stiffness: 1e4, dissipation: 0.4, friction: 0.5, " + by +
+               "}]\nintegrator: {name: rkmk4, step: 0.1 ms}\nduration: 0.8 s\n");
 }
 
 /// The same motion on the plane, and on flat ground of triangles, whose edges the contacts cross. 1e-8:
