@@ -1,5 +1,5 @@
 #pragma once
-// The definitions of tree.hpp. tree.cpp instantiates them for balls of double, whose small functions are all inlined, and
+// The definitions of tree.hpp. tree_balls.cpp instantiates them for balls of double, whose small functions are all inlined, and
 // tree_reals.cpp for numbers of MPFR, where inlining takes the compiler twice as long and gains nothing.
 
 #include <oracles/tree.hpp>

@@ -3,7 +3,7 @@
 // both results must have the same bits, and the copies must keep theirs. The memory of a result is filled
 // with another pattern before each call. A number that keeps both patterns was not written.
 //
-// A function that returns its result constructs it in that memory if it has a fixed size (typed.cpp). The last check
+// A function that returns its result constructs it in that memory if it has a fixed size (typed_functions.cpp). The last check
 // cannot see the memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a
 // register, or a result that the subject copies from a variable of its own.
 

@@ -82,7 +82,7 @@ const std::vector<Room> harness = {
     {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"rounding",
-     {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
+     {"lib", "support", "operations", "conventions", "generators", "subjects", "invariants", "timing"}},
     {"wide", {"lib", "oracles", "operations", "subjects", "invariants", "timing"}},
     {"integrators", {"lib", "support", "oracles", "timing", "scenes"}},
     {"horizons", {"support", "oracles", "operations", "subjects", "campaign", "scenes", "integrators"}},

@@ -92,7 +92,7 @@ TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
   EXPECT_EQ(name, "shell");
   CampaignOptions options;
   options.selection = {{"shell", "liecheck"}, {"exp_oracle"}, {"double"}};
-  options.cases = 100, options.jobs = 2, options.quiet = true;
+  options.cases = 100, options.jobs = 1, options.quiet = true;
   const CampaignResult r = run_campaign(options, built_in_robot());
   std::uint64_t crashed = 0;
   for (const SeriesResult& s : r.series)
