@@ -15,6 +15,7 @@
 #include <support/own_process.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 #include "lab_commands.hpp"
 
 namespace liecheck::properties {
@@ -25,6 +26,7 @@ using nlohmann::json;
 
 struct Flags {
   std::string question, out, record, adapters, before, after, adapter;
+  bool run_recorded = false;
   RobotFlags robot;
   bool all = false;
   std::vector<std::string> only;
@@ -129,8 +131,9 @@ void print_league(const json& record, const std::string& question) {
   fmt::print("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12}{:>12}{:>5}  {}\n", "library", "version", "language",
              "scalar", "grade", "worst [eps]", "ns a call", "of", "worst operation");
   for (const league::Answer& a : league::answers(record, question))
-    fmt::print("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12.3g}{:>12.0f}{:>5}  {}\n", a.library, a.version, a.language,
-               a.scalar, a.grade, a.eps, a.ns, a.operations, a.worst_operation);
+    fmt::print("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12.3g}{:>12.0f}{:>5}  {}\n", printable(a.library),
+               printable(a.version), printable(a.language), a.scalar, a.grade, a.eps, a.ns, a.operations,
+               printable(a.worst_operation));
   fmt::print(
       "\ngrade{}: A within 64 eps, B at most 1e4 eps, C at most 1e8 eps, D more, F a result that is NaN, on "
       "a wrong "
@@ -169,14 +172,16 @@ int measure(const Flags& f) {
 
 int findings(const Flags& f) {
   const json record = league::read_league(f.record);
+  const league::Trust trust{league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters),
+                            f.record, f.run_recorded};
   stop_on_signals();
-  const league::Confirmed all = league::write_findings(record, f.out);
-  fmt::print("{}", all.text);
+  fmt::print("{}", printable_lines(league::write_findings(record, trust, f.out).text));
   return stop_requested ? incomplete : within_budget;
 }
 
 int changed(const Flags& f) {
-  fmt::print("{}", league::changes(league::read_league(f.before), league::read_league(f.after)));
+  fmt::print("{}",
+             printable_lines(league::changes(league::read_league(f.before), league::read_league(f.after))));
   return within_budget;
 }
 
@@ -221,6 +226,11 @@ Command league_findings_command(CLI::App& league) {
       "that its output confirms. Exit code 0; 2 for bad input; 3 if stopped");
   a.text("RECORD", a->record, "FILE", "the record that league --record wrote").required();
   a.text("--out", a->out, "DIR", "folder of the findings").required();
+  a.text("--adapters", a->adapters, "FILE.json",
+         "list of adapters, whose commands the record must have; default: the one that the build wrote");
+  a.toggle(
+      "--run-recorded", a->run_recorded,
+      "run the commands and programs of the record, whatever they are; only for a record that you trust");
   return a.runs(findings);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -139,15 +140,20 @@ std::string repair_of(const std::string& operation) {
 
 /// What `liecheck replay` prints for the same input with another subject, which an adapter offers; "" if it cannot.
 std::string replay_of(const std::string& replay, const std::string& subject, const std::string& adapter) try {
-  std::string id = replay.substr(replay.find("replay ") + 7);
+  const auto at = replay.find("replay ");
+  if (at == replay.npos) return "";
+  std::string id = replay.substr(at + 7);
   id = id.substr(0, id.find(' '));
   std::vector<std::string> parts;
   std::istringstream in(id);
   for (std::string p; parts.size() < 3 && std::getline(in, p, '.');) parts.push_back(p);
   const std::string head = fmt::format("{}.{}.{}.", parts.at(0), parts.at(1), parts.at(2));
-  if (!id.starts_with(head)) return "";
+  if (!id.starts_with(head) || id.starts_with('-')) return "";  // an option is no case
   const std::string own = fmt::format("{}.{}.{}.{}", parts[0], parts[1], subject, id.substr(head.size()));
-  return output_of_own_process({"replay", own, "--adapter", adapter}, stop_requested).value_or("");
+  constexpr int fails = 1;  // the exit code of a replayed failure
+  return output_of_own_process({"replay", own, "--adapter", adapter}, stop_requested,
+                               std::numeric_limits<double>::infinity(), fails)
+      .value_or("");
 } catch (const std::exception&) {
   return "";
 }
@@ -200,6 +206,35 @@ Output run_program(const json& library, const fs::path& file, const std::string&
   std::error_code error;
   fs::remove(file.string() + ".out", error);
   return out;
+}
+
+/// The row of the list whose name and commands the library of a record has; null if there is none.
+const Entry* listed(const json& library, const Trust& trust) {
+  const auto at = std::ranges::find_if(trust.adapters, [&](const Entry& e) {
+    return !e.adapter.empty() && library["adapter"] == e.adapter && library["run"] == e.run;
+  });
+  return at == trust.adapters.end() ? nullptr : &*at;
+}
+
+/// Refuses a record that would start other commands than those of the list.
+void check_commands(const json& record, const Trust& trust) {
+  if (trust.recorded) return;
+  for (const json& library : record["libraries"]) {
+    if (listed(library, trust)) continue;
+    throw std::invalid_argument(fmt::format(
+        "{}: the library '{}' has commands that the list of adapters does not have: adapter '{}', run '{}'. "
+        "Nothing was run. --adapters FILE gives another list; --run-recorded runs what the record says",
+        trust.file, library["name"].get<std::string>(), library["adapter"].get<std::string>(),
+        library["run"].get<std::string>()));
+  }
+}
+
+/// Whether the listed adapter prints this program for the same case, so that it is not only the record that says it.
+bool is_printed(const json& library, const json& cell, const std::string& program, const Trust& trust) {
+  if (trust.recorded) return true;
+  const Entry& e = *listed(library, trust);
+  const std::string text = replay_of(line_of(cell["failure"]["text"], "replay"), library["name"], e.adapter);
+  return program_in("\n" + text, cell["operation"]) == program;
 }
 
 const json* cell_in(const json& library, const std::string& operation, const std::string& scalar) {
@@ -336,7 +371,8 @@ std::vector<double> numbers_in(const std::string& text) {
   return all;
 }
 
-Confirmed write_findings(const json& record, const std::string& folder) {
+Confirmed write_findings(const json& record, const Trust& trust, const std::string& folder) {
+  check_commands(record, trust);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -359,14 +395,20 @@ Confirmed write_findings(const json& record, const std::string& folder) {
         left_out("the adapter has no program for it");
         continue;
       }
-      const fs::path file = fs::path(folder) / (name + suffix(library["language"]));
+      if (!is_printed(library, cell, program, trust)) {
+        left_out(
+            "its adapter prints another program for this case, or none; --run-recorded runs the record's");
+        continue;
+      }
+      const fs::path file = fs::path(folder) / (file_name(name) + suffix(library["language"]));
       const Output out = run_program(library, file, program);
       if (out.code != 0 || !confirms(out.text, returned_in(text), scalar == "float")) {
         left_out(out.code ? "its program ends with an error"
                           : "its program prints other numbers than the adapter returned");
         continue;
       }
-      write_whole(fs::path(folder) / (name + ".md"), finding(record, library, cell, program, out.text, file));
+      write_whole(fs::path(folder) / (file_name(name) + ".md"),
+                  finding(record, library, cell, program, out.text, file));
       ++all.written;
       all.text += fmt::format("{}: {}, {}\n", name, shown_error(cell["failure"]), where_it_fails(cell));
     }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/text.hpp>
 #include <tuple>
 
 namespace liecheck::properties::league {
@@ -72,6 +73,55 @@ std::string standing(const json& cell) {
                                           : fmt::format("{:.3g} eps", value(cell["worst_eps"])));
 }
 
+/// Checks the members of a record, which somebody else may have written.
+class RecordCheck {
+ public:
+  explicit RecordCheck(const std::string& file) : file_(file) {}
+  void record(const json& record) const {
+    texts(record, "the record", {"date"});
+    lists(record, "the record", {"libraries"});
+    for (const json& library : record["libraries"]) {
+      texts(library, "a library", {"name", "version", "language", "adapter", "run"});
+      const std::string name = printable(library["name"]);
+      lists(library, name, {"cells"});
+      for (const json& c : library["cells"]) cell(c, name);
+    }
+  }
+
+ private:
+  void cell(const json& c, const std::string& library) const {
+    texts(c, "a cell of " + library, {"operation", "scalar", "grade"});
+    const std::string name = fmt::format("{} of {}", printable(c["operation"]), library);
+    lists(c, name, {"bands"}), numbers(c, name, {"ns", "cases"}), member(c, name, "worst_eps");
+    need(c, name, "failure", "object", [](const json& x) { return x.is_object() || x.is_null(); });
+    for (const json& band : c["bands"])
+      texts(band, name, {"axis", "band"}), numbers(band, name, {"low", "high", "bad"}),
+          member(band, name, "eps");
+    if (const json& failure = c["failure"]; failure.is_object())
+      texts(failure, name, {"what", "where", "guess", "text"}), numbers(failure, name, {"failed", "cases"});
+  }
+  using Names = std::initializer_list<const char*>;
+  void texts(const json& of, const std::string& where, Names names) const {
+    for (const char* n : names) need(of, where, n, "text", [](const json& x) { return x.is_string(); });
+  }
+  void numbers(const json& of, const std::string& where, Names names) const {
+    for (const char* n : names) need(of, where, n, "number", [](const json& x) { return x.is_number(); });
+  }
+  void lists(const json& of, const std::string& where, Names names) const {
+    for (const char* n : names) need(of, where, n, "list", [](const json& x) { return x.is_array(); });
+  }
+  void member(const json& of, const std::string& where, const char* name) const {
+    need(of, where, name, "member", [](const json&) { return true; });
+  }
+  void need(const json& of, const std::string& where, const char* name, const char* kind,
+            const auto& is_right) const {
+    if (!of.is_object() || !of.contains(name) || !is_right(of[name]))
+      throw std::invalid_argument(fmt::format("{}: {} has no {} '{}'", file_, where, kind, name));
+  }
+
+  const std::string& file_;
+};
+
 }  // namespace
 
 std::string built_in_roster() {
@@ -103,6 +153,7 @@ json read_league(const std::string& file) {
   if (!record.is_object() || record.value("league", 0) != 1 || !record.contains("libraries"))
     throw std::invalid_argument(
         fmt::format("{}: is no record of the league, which `liecheck lab league --record` writes", file));
+  RecordCheck(file).record(record);
   return record;
 }
 

@@ -1,6 +1,7 @@
 #include <support/text.hpp>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <support/json.hpp>
 
 namespace liecheck::properties {
@@ -29,6 +30,24 @@ std::string printable(const std::string& text) {
     }
   }
   return out;
+}
+
+std::string printable_lines(const std::string& text) {
+  std::string out;
+  for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    out += printable(text.substr(at, end - at));
+    if (end < text.size()) out += '\n';
+  }
+  return out;
+}
+
+std::string file_name(const std::string& text) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  std::string name = text.empty() || text[0] == '.' ? "_" + text.substr(text.empty() ? 0 : 1) : text;
+  for (auto at = name.find_first_not_of(plain); at != name.npos; at = name.find_first_not_of(plain, at))
+    name[at] = '_';
+  return name;
 }
 
 std::string shell_quoted(const std::string& word) {

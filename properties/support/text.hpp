@@ -1,5 +1,5 @@
 #pragma once
-// Escapes text for a terminal, a shell or a CSV file.
+// Escapes text for a terminal, a shell, a file name or a CSV file.
 
 #include <string>
 
@@ -8,6 +8,13 @@ namespace liecheck::properties {
 /// Returns the text on one line, with control characters (C0, DEL, C1) and bytes that are not UTF-8 escaped as \n,
 /// \t or \xNN.
 std::string printable(const std::string& text);
+
+/// The same for a text of several lines, which keeps its ends of lines.
+std::string printable_lines(const std::string& text);
+
+/// Returns a name for a file in a folder: letters, digits, '-', '_' and '.' of the text, with '_' for each other byte and for
+/// a leading dot. So no text leads out of the folder or names a hidden file.
+std::string file_name(const std::string& text);
 
 /// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
