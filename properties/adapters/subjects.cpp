@@ -20,6 +20,7 @@
 #include <subjects/number_function.hpp>
 #include <subjects/remote.hpp>
 #include <subjects/subject.hpp>
+#include <support/text.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -125,7 +126,29 @@ void register_one(int number, const std::string& text, const Description& d, con
   register_subject(std::move(s));
 }
 
-std::unique_ptr<Adapter> converted(std::unique_ptr<Adapter> own) {
+/// An adapter whose words have no control characters: they go to terminals, records and pages.
+class Printable final : public Adapter {
+ public:
+  explicit Printable(std::unique_ptr<Adapter> own) : own_(std::move(own)), description_(own_->description()) {
+    description_.version = printable(description_.version);
+    for (auto& [operation, program] : description_.source) program = printable_lines(program);
+  }
+  const Description& description() const override { return description_; }
+  std::string call(const Batch& batch) override try {
+    return printable(own_->call(batch));
+  } catch (const AdapterFailed& e) {
+    throw AdapterFailed(printable(e.what()));
+  }
+  std::string repeated(const Batch& batch) override { return printable(own_->repeated(batch)); }
+
+ private:
+  std::unique_ptr<Adapter> own_;
+  Description description_;
+};
+
+/// The adapter as the program calls it.
+std::unique_ptr<Adapter> as_called(std::unique_ptr<Adapter> own) {
+  own = std::make_unique<Printable>(std::move(own));
   const conventions::Statements stated = own->description().conventions;
   if (stated.empty()) return own;
   return std::make_unique<Converted>(std::move(own), stated);
@@ -190,7 +213,7 @@ std::string library_in(const std::string& text) {
 
 std::unique_ptr<Adapter> start(const std::string& text) {
   const std::string library = library_in(text);
-  return converted(text.starts_with(inside) ? load_library(library)
+  return as_called(text.starts_with(inside) ? load_library(library)
                    : library.empty()        ? start_process(text, timeout_s)
                                             : start_library(library, timeout_s));
 }
@@ -209,7 +232,7 @@ std::string register_adapter(const std::string& text, const std::string& name) {
   return register_as(text, name, text.starts_with(inside), [&] { return start(text); });
 }
 std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter) {
-  return converted(linked_library(adapter));
+  return as_called(linked_library(adapter));
 }
 void exchange_adapter(const std::string& name, const std::string& text) {
   const auto source =

@@ -35,9 +35,9 @@ std::string printable(const std::string& text) {
 std::string printable_lines(const std::string& text) {
   std::string out;
   for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-    end = std::min(text.find('\n', at), text.size());
+    end = std::min(text.find_first_of("\n\t", at), text.size());
     out += printable(text.substr(at, end - at));
-    if (end < text.size()) out += '\n';
+    if (end < text.size()) out += text[end];
   }
   return out;
 }

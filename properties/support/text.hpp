@@ -9,7 +9,7 @@ namespace liecheck::properties {
 /// \t or \xNN.
 std::string printable(const std::string& text);
 
-/// The same for a text of several lines, which keeps its ends of lines.
+/// The same for a text of several lines, which keeps its ends of lines and its tabs.
 std::string printable_lines(const std::string& text);
 
 /// Returns a name for a file in a folder: letters, digits, '-', '_' and '.' of the text, with '_' for each other byte and for

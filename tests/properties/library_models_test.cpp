@@ -166,7 +166,28 @@ struct Scaled {
 };
 LIECHECK_SUBJECT(Scaled, exp3_quaternion)
 
+/// A library whose words would colour a terminal.
+struct Coloured {
+  static constexpr const char *name = "coloured", *version = "1\x1b[31m";
+  static void exp3_quaternion(std::span<const double, 3>, std::span<double, 4>) {
+    throw std::domain_error("no \x1b[2J");
+  }
+};
+LIECHECK_SUBJECT(Coloured, exp3_quaternion)
+
 namespace {
+
+TEST(LibraryModels, WordsOfALibraryHaveNoControlCharacters) {
+  const auto adapter = linked(liecheck_subject(static_cast<const Coloured*>(nullptr)));
+  EXPECT_EQ(adapter->description().version, "1\\x1b[31m");
+  const std::array<double, 3> phi{};
+  std::array<double, 4> Q{};
+  std::array<Status, 1> status{};
+  EXPECT_EQ(adapter->call({*sizes_of("exp3_quaternion"), true, 1, std::as_bytes(std::span(phi)),
+                           std::as_writable_bytes(std::span(Q)), status}),
+            "no \\x1b[2J");
+  EXPECT_EQ(status[0], Status::refused);
+}
 
 TEST(LibraryModels, ARefusedModelIsSaidInWords) {
   const auto adapter = linked(liecheck_subject(static_cast<const Refusing*>(nullptr)));
