@@ -3,10 +3,11 @@
 // both results must have the same bits, and the copies must keep theirs. The memory of a result is filled
 // with another pattern before each call. A number that keeps both patterns was not written.
 //
-// A function that returns its result constructs it in that memory if it has a fixed size (typed_functions.cpp). The last check
+// A function that returns its result constructs it in that memory if it has a fixed size (rounded_calls.cpp). The last check
 // cannot see the memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a
 // register, or a result that the subject copies from a variable of its own.
 
+#include <memory>
 #include <operations/description.hpp>
 #include <string>
 #include <subjects/outcome.hpp>
@@ -25,7 +26,8 @@ class CallLog {
   struct Noted {
     const Operation* operation;
     int tree;                       ///< which of the trees that the case builds, from 1; 0 if none
-    std::string arguments, result;  ///< their bits
+    std::string arguments;  ///< their bits
+    std::shared_ptr<const void> result;
   };
   std::vector<Finding> findings;
   std::vector<Noted> results;

@@ -31,7 +31,8 @@ void call_checked(CallLog& log, const NumberFunction& f, std::size_t size, std::
     given.assign(reinterpret_cast<const char*>(in.data()), in.size());
     for (const CallLog::Noted& n : log.results)
       if (n.operation == f.operation && n.tree == f.tree && n.arguments == given)
-        return void(std::memcpy(out.data(), n.result.data(), out.size()));
+        return void(
+            std::memcpy(out.data(), static_cast<const std::string*>(n.result.get())->data(), out.size()));
   }
   constexpr std::byte one{0xa5}, other{0x5a};  // as numbers both are finite and normal
   const auto found = [&](Outcome outcome) { log.findings.push_back({f.operation, outcome}); };
@@ -53,7 +54,7 @@ void call_checked(CallLog& log, const NumberFunction& f, std::size_t size, std::
   outside.restore();
   if (changed) found(Outcome::environment_changed);
   const auto keeps = [size](auto bytes, std::size_t at, std::byte pattern) {
-    return std::ranges::count(bytes.subspan(at, size), pattern) == static_cast<std::ptrdiff_t>(size);
+    return std::ranges::all_of(bytes.subspan(at, size), [pattern](std::byte b) { return b == pattern; });
   };
   bool unwritten = false;
   for (std::size_t at = 0; at < out.size() && repeated && !unwritten; at += size)
@@ -64,10 +65,10 @@ void call_checked(CallLog& log, const NumberFunction& f, std::size_t size, std::
     found(Outcome::not_repeatable);
   if (!std::ranges::equal(in, before)) found(Outcome::argument_written);
   if (!log.keeps_results) return;
-  const std::string result(reinterpret_cast<const char*>(out.data()), out.size());
+  auto result = std::make_shared<const std::string>(reinterpret_cast<const char*>(out.data()), out.size());
   if (CallObserver* const observer = call_observer())
-    (*observer)(*f.operation, given + static_cast<char>(f.tree), result);
-  log.results.push_back({f.operation, f.tree, std::move(given), result});
+    (*observer)(*f.operation, given + static_cast<char>(f.tree), *result);
+  log.results.push_back({f.operation, f.tree, std::move(given), std::move(result)});
 }
 
 template <class S>

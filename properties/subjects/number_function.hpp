@@ -1,7 +1,8 @@
 #pragma once
-// A function of a subject as numbers in and numbers out, as the C interface has it, and how the harness calls it: the
+// A function of an adapter as numbers in and numbers out, as the C interface has it, and how the harness calls it: the
 // arguments are rounded to the scalar of the subject, the call is checked if the thread has a log (call_log.hpp), and the
-// result is exactly what the subject returned.
+// result is exactly what the subject returned. Functions of the program's own subjects are called in their own types
+// (rounded_calls.cpp), which is up to a fifth faster for the cheapest laws.
 
 #include <functional>
 #include <operations/numbers.hpp>
