@@ -151,7 +151,7 @@ Output run_program(const json& library, const fs::path& file, const std::string&
   return out;
 }
 
-/// The row of the list whose name and commands the library of a record has; null if there is none.
+/// The row of the list with both commands of the library of a record; null if there is none.
 const Entry* listed(const json& library, const Trust& trust) {
   const auto at = std::ranges::find_if(trust.adapters, [&](const Entry& e) {
     return !e.adapter.empty() && library["adapter"] == e.adapter && library["run"] == e.run;

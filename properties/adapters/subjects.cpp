@@ -130,7 +130,7 @@ void register_one(int number, const std::string& text, const Description& d, con
 class Printable final : public Adapter {
  public:
   explicit Printable(std::unique_ptr<Adapter> own) : own_(std::move(own)), description_(own_->description()) {
-    description_.version = printable(description_.version);
+    for (std::string* text : {&description_.name, &description_.version}) *text = printable(*text);
     for (auto& [operation, program] : description_.source) program = printable_lines(program);
   }
   const Description& description() const override { return description_; }

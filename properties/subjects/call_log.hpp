@@ -25,7 +25,7 @@ class CallLog {
   };
   struct Noted {
     const Operation* operation;
-    int tree;                       ///< which of the trees that the case builds, from 1; 0 if none
+    int tree;               ///< which of the trees that the case builds, from 1; 0 if none
     std::string arguments;  ///< their bits
     std::shared_ptr<const void> result;
   };
