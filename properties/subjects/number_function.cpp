@@ -5,7 +5,7 @@
 #include <cstring>
 #include <subjects/call_log.hpp>
 #include <subjects/call_observer.hpp>
-#include <support/float_environment.hpp>
+#include <subjects/call_twice.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -34,36 +34,26 @@ void call_checked(CallLog& log, const NumberFunction& f, std::size_t size, std::
         return void(
             std::memcpy(out.data(), static_cast<const std::string*>(n.result.get())->data(), out.size()));
   }
-  constexpr std::byte one{0xa5}, other{0x5a};  // as numbers both are finite and normal
-  const auto found = [&](Outcome outcome) { log.findings.push_back({f.operation, outcome}); };
   const std::vector<std::byte> before(in.begin(), in.end());
   std::vector<std::byte> again = before, second(out.size());
-  const FloatEnvironment outside;
-  if (!mode_of_calls.is_usual()) FloatEnvironment::set(mode_of_calls);
-  const FloatEnvironment environment;
-  std::ranges::fill(out, one);
-  f.compute(in.data(), out.data());
-  bool changed = environment.restore(), repeated = true;
-  std::ranges::fill(second, other);
-  try {
-    f.compute(again.data(), second.data());
-  } catch (const std::exception&) {  // which the first call did not throw: the call is not repeatable
-    repeated = false;
-  }
-  changed = environment.restore() || changed;
-  outside.restore();
-  if (changed) found(Outcome::environment_changed);
-  const auto keeps = [size](auto bytes, std::size_t at, std::byte pattern) {
-    return std::ranges::all_of(bytes.subspan(at, size), [pattern](std::byte b) { return b == pattern; });
+  bool repeated = false;
+  const auto fill = [](std::span<std::byte> bytes, unsigned char pattern) {
+    std::ranges::fill(bytes, std::byte(pattern));
+  };
+  const bool changed = call_twice([&] { fill(out, first_pattern), f.compute(in.data(), out.data()); },
+                                  [&] {
+                                    fill(second, second_pattern), f.compute(again.data(), second.data());
+                                    repeated = true;
+                                  });
+  const auto keeps = [size](std::span<const std::byte> bytes, std::size_t at, unsigned char pattern) {
+    return std::ranges::all_of(bytes.subspan(at, size),
+                               [pattern](std::byte b) { return b == std::byte(pattern); });
   };
   bool unwritten = false;
   for (std::size_t at = 0; at < out.size() && repeated && !unwritten; at += size)
-    unwritten = keeps(out, at, one) && keeps(std::span(second), at, other);
-  if (unwritten)
-    found(Outcome::output_unwritten);
-  else if (!repeated || std::memcmp(out.data(), second.data(), out.size()) != 0)
-    found(Outcome::not_repeatable);
-  if (!std::ranges::equal(in, before)) found(Outcome::argument_written);
+    unwritten = keeps(out, at, first_pattern) && keeps(second, at, second_pattern);
+  note(log, *f.operation,
+       {changed, unwritten, repeated && std::ranges::equal(out, second), std::ranges::equal(in, before)});
   if (!log.keeps_results) return;
   auto result = std::make_shared<const std::string>(reinterpret_cast<const char*>(out.data()), out.size());
   if (CallObserver* const observer = call_observer())

@@ -6,6 +6,7 @@
 #include <new>
 #include <subjects/call_log.hpp>
 #include <subjects/call_observer.hpp>
+#include <subjects/call_twice.hpp>
 #include <subjects/number_function.hpp>
 #include <subjects/tree.hpp>
 #include <subjects/typed.hpp>
@@ -119,26 +120,12 @@ struct CheckedCall {
     const auto call = [&function](const std::tuple<A...>& with) {
       return [&] { return std::apply([&](const A&... a) -> R { return function(a...); }, with); };
     };
-    constexpr unsigned char one = 0xa5, other = 0x5a;  // as numbers both are finite and normal
-    const auto found = [&](Outcome outcome) { log->findings.push_back({&operation, outcome}); };
-    const FloatEnvironment outside;
-    if (!mode_of_calls.is_usual()) FloatEnvironment::set(mode_of_calls);
-    const FloatEnvironment environment;
     Memory<R> first, second;
-    first.construct(one, call(copies));
-    bool changed = environment.restore();
-    try {
-      second.construct(other, call(again));
-    } catch (const std::exception&) {  // which the first call did not throw: the call is not repeatable
-    }
-    changed = environment.restore() || changed;
-    outside.restore();
-    if (changed) found(Outcome::environment_changed);
-    if (is_unwritten(first, second, one, other))
-      found(Outcome::output_unwritten);
-    else if (!second.result() || !same_bits(*first.result(), *second.result()))
-      found(Outcome::not_repeatable);
-    if (!same_bits(copies, arguments...)) found(Outcome::argument_written);
+    const bool changed = call_twice([&] { first.construct(first_pattern, call(copies)); },
+                                    [&] { second.construct(second_pattern, call(again)); });
+    note(*log, operation,
+         {changed, is_unwritten(first, second),
+          second.result() && same_bits(*first.result(), *second.result()), same_bits(copies, arguments...)});
     if (CallObserver* const observer = call_observer(); observer && log->keeps_results) {
       std::string bits;
       append_bits(bits, *first.result());
@@ -153,12 +140,12 @@ struct CheckedCall {
  private:
   /// Whether a number of the result was written by neither call.
   template <class R>
-  static bool is_unwritten(const Memory<R>& first, const Memory<R>& second, unsigned char one,
-                           unsigned char other) {
+  static bool is_unwritten(const Memory<R>& first, const Memory<R>& second) {
     if constexpr (has_fixed_size<S, R>()) {
       static_assert(sizeof(R) % sizeof(S) == 0);
       for (std::size_t at = 0; at < sizeof(R); at += sizeof(S))
-        if (first.keeps(one, at, sizeof(S)) && second.keeps(other, at, sizeof(S))) return true;
+        if (first.keeps(first_pattern, at, sizeof(S)) && second.keeps(second_pattern, at, sizeof(S)))
+          return true;
     }
     return false;
   }
