@@ -26,16 +26,14 @@ class Limit {
 }  // namespace
 
 Confirmation confirmation_of(const Benchmark& s, const std::vector<Moment>& moments,
-                             const std::atomic<bool>* stop) {
-  // A few units in the last place of long double (2^-63), for the rounding errors that extrapolation amplifies.
-  const long double tolerance = 0x1p-57L;
-  Confirmation c{"", MotionError::none()};
+                             const std::atomic<bool>* stop, long double tolerance) {
+  Confirmation c{"", MotionError::none(), {}};
   Limit limit(stop);
   try {
-    const auto second = moments_of<long double>(independent_tree<long double>(s), s, long(moments.size()) - 1,
-                                                tolerance, &limit.late);
-    for (std::size_t k = 0; k < second.size(); ++k)
-      c.apart.take_larger(motion_error(s.robot, second[k], moments[k]));
+    c.at = moments_of<long double>(independent_tree<long double>(s), s, long(moments.size()) - 1, tolerance,
+                                   &limit.late);
+    for (std::size_t k = 0; k < c.at.size(); ++k)
+      c.apart.take_larger(motion_error(s.robot, c.at[k], moments[k]));
   } catch (const std::logic_error& e) {  // std::invalid_argument, std::domain_error
     c.unconfirmed = e.what();
   } catch (const std::runtime_error&) {

@@ -44,7 +44,7 @@ constexpr Case cases[] = {
     {"standing",
      "robot: {urdf: URDF, root: free_flyer}\nground: {height: 0}\ninitial: {position: [0, 0, HEIGHT]}\n"
      "effects:\n  - gravity\n  - joint_damping: {coefficient: 0.01}\n"
-     "  - contact: {frames: [FEET], stiffness: 5e3, dissipation: 0.5, friction: 0.8, slip: 0.01}\n"
+     "  - contact: {frames: [FEET], stiffness: 5e3, dissipation: 0.5, friction: 0.8, slip: 0.1}\n"
      "actuation: [{pd: {stiffness: 80, damping: 3, target: [0]}}]\n"},
     {"pushed",
      "robot: {body: box, mass: 2, size: [1, 2, 3]}\ninitial: {angular_velocity: [1, 0.1, 0]}\n"
@@ -114,7 +114,7 @@ void byHand(const scene::Scene& s, const std::string& name, long steps, double h
   }
   test::TreeByHand::Contact contact;
   if (name == "standing") {
-    contact = {{}, 5e3, 0.5, 0.8, 1e-4};
+    contact = {{}, 5e3, 0.5, 0.8, 0.1 * 0.1};
     for (const scene::Request& r : s.effects)
       if (r.name == "contact")
         for (const std::string& foot : r.parameters.names("frames")) {

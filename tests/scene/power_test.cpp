@@ -90,7 +90,8 @@ class EachLedger : public testing::TestWithParam<Ledger> {
 };
 
 TEST_P(EachLedger, ClosesWithTheOrderOfTheMethod) {
-  const double h = GetParam().duration / double(GetParam().steps);
+  // Steps of h are shortened after events (phase_check.hpp), so that their gap may be smaller than that of h/4.
+  const double h = GetParam().duration / double(GetParam().steps) / 4;
   for (const auto& [method, order] :
        {std::pair{"semi_implicit_euler", 1}, std::pair{"rk2", 2}, std::pair{"rkmk4", 4}}) {
     const double coarse = gap(method, h), fine = gap(method, h / 4);

@@ -5,9 +5,11 @@
 //   a twin with steps of r h:   error of the run = D / (r^p - 1)
 //
 // Twins with steps of about 3 h and 9 h cost 44 % of the run, and their ratio shows the order p. If p is not
-// that of the method, the error is taken to be D itself. A run is accused only after a twin with steps of h/2,
-// which costs twice the run, was compared as well: error = D / (1 - 2^-p). (Richardson 1911; Hairer, Norsett
-// & Wanner 1993, II.4.) Methods with a tolerance get r^p times the tolerance and r times the longest step.
+// that of the method, the error is taken to be D itself; if p is above it, only half the order is believed. A run
+// whose error is above 0.3 of the accepted one is compared with a twin of which every step is half as long, also
+// within phases that are shorter than h (phase_check.hpp), and with one of h/8 if the error is then near the
+// accepted one: error = D / (1 - r^p). (Richardson 1911; Hairer, Norsett & Wanner 1993, II.4.) Methods with a
+// tolerance get r^p times the tolerance and r times the longest step.
 //
 // The error covers the method and the amplified rounding errors. It does not cover what all runs share: the
 // model, the parameters, and features of the motion between checkpoints that no twin meets.
@@ -51,18 +53,19 @@ struct Estimate {
 /// The checkpoints must begin with the start and end with the last state. Throws Interrupted if go_on returns
 /// false, which is called every 256 steps.
 template <class Sys>
-Estimate estimateError(Setup<Sys>&, const std::vector<Checkpoint<Sys>>&, const std::function<bool()>& go_on);
+Estimate estimateError(Setup<Sys>&, const std::vector<Checkpoint<Sys>>&, const Outcome&,
+                       const std::function<bool()>& go_on);
 
 extern template Estimate estimateError(Setup<LoneBody<double>>&,
-                                       const std::vector<Checkpoint<LoneBody<double>>>&,
+                                       const std::vector<Checkpoint<LoneBody<double>>>&, const Outcome&,
                                        const std::function<bool()>&);
 extern template Estimate estimateError(Setup<ThrownBody<double>>&,
-                                       const std::vector<Checkpoint<ThrownBody<double>>>&,
+                                       const std::vector<Checkpoint<ThrownBody<double>>>&, const Outcome&,
                                        const std::function<bool()>&);
 extern template Estimate estimateError(Setup<LoneJoint<double>>&,
-                                       const std::vector<Checkpoint<LoneJoint<double>>>&,
+                                       const std::vector<Checkpoint<LoneJoint<double>>>&, const Outcome&,
                                        const std::function<bool()>&);
 extern template Estimate estimateError(Setup<Tree<double>>&, const std::vector<Checkpoint<Tree<double>>>&,
-                                       const std::function<bool()>&);
+                                       const Outcome&, const std::function<bool()>&);
 
 }  // namespace liecheck::scene

@@ -13,10 +13,15 @@
 //
 // A part that still strays is taken with free branches, as if there were no events. So is the rest of a step
 // after 32 events in it, or 10,000 in one of an adaptive method (Zeno behaviour); zeno() tells the time.
+//
+// - Phases that are shorter than a step. After an event, and in a part of a step that events cut, the forces may change
+//   within less than a step: a stiff contact that begins and ends in it. A step s is therefore compared there with two of
+//   s/2, and taken shorter until they agree (phase_check.hpp), until two whole steps agree.
+// - Events that no step sees, since a function has changed its sign twice within it (a grazing contact): the step ends at
+//   the extremum of the parabola through the function's last three values if that lies beyond the change of sign.
 
 #include <cmath>
-#include <liecheck/scene/integrators/method.hpp>
-#include <optional>
+#include <liecheck/scene/phase_check.hpp>
 
 namespace liecheck::scene {
 
@@ -24,17 +29,20 @@ template <class Sys>
 class EventSteps {
  public:
   using S = typename Sys::Scalar;
-  /// With locates = false, steps end only at the events that are known beforehand, and the branches are those at each
-  /// evaluation: a method of order 1 keeps its order so, since a force is continuous where its branch changes.
-  EventSteps(Sys& system, const State<Sys>& state, bool locates = true)
+  /// With a method of order 1, steps end only at the events that are known beforehand, and the branches are those at each
+  /// evaluation: it keeps its order so, since a force is continuous where its branch changes.
+  EventSteps(Sys& system, const State<Sys>& state, const MethodInfo& method, const S& h, double coarse = 1)
       : pieces_(system.pieces()),
         switches_(system.switches()),
         before_(state),
         trial_(state),
-        beyond_(state) {
+        beyond_(state),
+        check_(state, method, coarse) {
     skip(state.t);
     learn(system, state);
-    switching_ = locates && !switches_.none();
+    switching_ = method.order > 1 && !switches_.none();
+    if (switching_) switches_.remember(double(state.t));
+    if (state.t == S(0) || !switches_.settled()) check_.begin(h);  // a run may begin within a phase
     switches_.release();
     learnt_ = false;
   }
@@ -42,7 +50,8 @@ class EventSteps {
   EventSteps(const EventSteps&) = delete;
   EventSteps& operator=(const EventSteps&) = delete;
 
-  bool none() const { return pieces_.times().empty() && !switching_; }
+  bool none() const { return pieces_.times().empty() && !switching_ && check_.divide() == 1; }
+  const PhaseSteps& phases() const { return check_.made(); }
   long located() const { return located_; }                    ///< changes of branches
   const std::optional<double>& zeno() const { return zeno_; }  ///< time of the first step with too many [s]
 
@@ -53,13 +62,14 @@ class EventSteps {
                                          const S& h) {
     const auto& times = pieces_.times();
     const bool whole = next_ == times.size() || !(times[next_] < S(end - slack(end)));
-    if (whole && !switching_) {
+    if (whole && !switching_ && !check_.due() && check_.divide() == 1) {
       pieces_.hold(S((state.t + end) / S(2)));
       method.step(system, state, h);
     } else {
       parts(system, method, state, end, h);
     }
     pieces_.release(), switches_.release();
+    switches_.settle(!check_.due());
     skip(end);
   }
 
@@ -83,10 +93,9 @@ class EventSteps {
         if (next_ < pieces_.times().size() && pieces_.times()[next_] < S(end - slack(end)))
           to = pieces_.times()[next_];
         pieces_.hold(S((state.t + to) / S(2)));
-        if (switching_)
-          cross(system, method, state, to, to == end && state.t == start ? h : S(to - state.t));
-        else
-          begin(state), method.step(system, state, S(to - state.t));
+        const bool whole = to == end && state.t == start;
+        if (!whole) check_.begin(h);
+        cross(system, method, state, to, whole ? h : S(to - state.t), h);
         skip(to);
       }
     } catch (...) {
@@ -117,17 +126,23 @@ class EventSteps {
     system.load(state.t, state.q, state.v);
     return switches_.margin();
   }
-  /// Takes a step of h from `from` to `result`, of the length made_. False if it fails, and `failed_` then says why.
+  /// Takes a step of h from `from` to `result`, of the length made_, or `check_.divide()` equal ones. False if it fails,
+  /// and `failed_` then says why.
   template <class M>
   bool attempt(Sys& system, M& method, const State<Sys>& from, const S& h, State<Sys>& result, bool again) {
     if (again) method.begin(system, from);
     result = from;
     switches_.forget();
+    const int parts = check_.divide();
     try {
-      method.step(system, result, h);
+      for (int k = 1; k < parts; ++k) method.step(system, result, S(h / S(parts))), result.t += h / S(parts);
+      method.step(system, result, parts > 1 ? S(h / S(parts)) : h);
     } catch (const Interrupted&) {
       throw;
-    } catch (const StepFailed&) {
+    } catch (const std::runtime_error&) {  // StepFailed
+      failed_ = std::current_exception();
+      return false;
+    } catch (const std::domain_error&) {  // SingularInertia
       failed_ = std::current_exception();
       return false;
     }
@@ -136,10 +151,10 @@ class EventSteps {
     return true;
   }
 
-  /// Advances state to the time `to` = state.t + h across the events of the state.
+  /// Advances state to the time `to` = state.t + h across the events of the state. A step of the run has the length whole.
   template <class M>
-  void cross(Sys& system, M& method, State<Sys>& state, const S& to, const S& h) {
-    learnt_ ? switches_.keep() : learn(system, state);
+  void cross(Sys& system, M& method, State<Sys>& state, const S& to, const S& h, const S& whole) {
+    if (switching_) learnt_ ? switches_.keep() : learn(system, state);
     learnt_ = true;
     const S least = S(4) * eps<S>() * (absolute<S>(to) + h);
     const bool adaptive = method.what().adaptive;
@@ -147,17 +162,26 @@ class EventSteps {
     S rest = h, length = h;
     bool again = false;   // the method has seen a later state
     bool loaded = false;  // the last load() was that of `state`
-    for (int found = 0, halved = 0; rest > least;) {
+    for (int found = 0, halved = 0, splits = 0; rest > least;) {
+      length = check_.shorten(length, rest);
       const bool made = attempt(system, method, state, length, trial_, again);
-      const bool strayed = made && switches_.crossed();
+      const bool strayed = switching_ && made && switches_.crossed();
       if (made) length = made_;
-      if (made && crosses(system, trial_)) {
+      if (check_.due()) {
+        again = true;
+        if (!agrees(system, method, made, state, length, whole)) {
+          length = check_.next();
+          continue;
+        }
+      }
+      if (made && switching_ && crosses(system, trial_)) {
         rest -= locate(system, method, state, length, switches_.margin());
         switches_.change(), ++located_, ++found;
         begin(state), state = beyond_, loaded = false, length = rest, halved = 0, again = true;
+        switches_.remember(double(state.t)), check_.begin(whole);
         if (found < most) continue;
         if (!zeno_) zeno_ = double(state.t);
-        if (rest > least) freely(system, method, state, rest), again = false;
+        if (rest > least) freely(system, method, state, rest, whole), again = false;
         break;
       }
       if ((!made || strayed) && halved < halvings) {
@@ -167,26 +191,53 @@ class EventSteps {
       if (!made) std::rethrow_exception(failed_);
       if (strayed || length < h) begin(state);
       if (strayed) {
-        freely(system, method, state, length);
+        freely(system, method, state, length, whole);
       } else {
+        // The functions have the values at trial_.
+        if (switching_ && !adaptive)
+          if (const auto peak = switches_.missed(double(trial_.t)); peak && splits++ < 4) {
+            length = S(*peak) - state.t, again = true;
+            continue;
+          }
         state = std::move(trial_);  // which keeps vectors of the same sizes
       }
-      again = false, loaded = !strayed;
+      loaded = !strayed && switching_;
       rest -= length, length = adaptive ? rest : std::min(length, rest), halved = 0;
+      if (check_.due())
+        length = check_.next();
+      else
+        again = false;
     }
     if (again) method.begin(system, state);
     state.t = to;
     if (loaded && (next_ == pieces_.times().size() || S(to + slack(to)) < pieces_.times()[next_]))
       system.keep(to, state.q, state.v);
   }
-  /// Takes a step of h with the branches that each evaluation chooses.
+  /// Takes a step of h, or as many as the check wants, with the branches that each evaluation chooses.
   template <class M>
-  void freely(Sys& system, M& method, State<Sys>& state, const S& h) {
+  void freely(Sys& system, M& method, State<Sys>& state, const S& h, const S& whole) {
     switches_.release();
+    check_.begin(whole);
+    const S least = S(4) * eps<S>() * (absolute<S>(state.t) + h);
+    for (S rest = h; rest > least;) {
+      const S length = check_.shorten(rest, rest);
+      const bool made = attempt(system, method, state, length, trial_, true);
+      if (check_.due() && !agrees(system, method, made, state, length, whole)) continue;
+      if (!made) std::rethrow_exception(failed_);
+      rest -= length, state = trial_;
+    }
     method.begin(system, state);
-    method.step(system, state, h);
-    state.t += h;
     learn(system, state);
+  }
+  /// Whether the check accepts trial_, a step of h from `state`.
+  template <class M>
+  bool agrees(Sys& system, M& method, bool made, const State<Sys>& state, const S& h, const S& whole) {
+    return check_.agrees(system, made ? &trial_ : nullptr, state, h, whole,
+                         [&](const S& half, State<Sys>& end) {
+                           if (!attempt(system, method, state, half, end, true)) return false;
+                           beyond_ = end;
+                           return attempt(system, method, beyond_, half, end, false);
+                         });
   }
 
   /// The length of the step from `state` to the first change of sign in (0, high], where margin(high) < 0. Sets
@@ -233,6 +284,7 @@ class EventSteps {
   Pieces<S>& pieces_;
   Switches<S>& switches_;
   State<Sys> before_, trial_, beyond_;
+  PhaseCheck<Sys> check_;
   std::size_t next_ = 0;  ///< the first event in time after the state
   S made_ = S(0);
   bool switching_ = false, learnt_ = false, begun_ = false;

@@ -92,7 +92,7 @@ class Runner {
       result_.figures.push_back({"largest attitude error", "rad", setup_.attitude_error->largest()});
     if (estimated && !result_.outcome.diverged && !result_.outcome.stopped) try {
         const double estimated_from = nowInSeconds();
-        result_.estimate = estimateError(setup_, checkpoints, [this] { return goesOn(); });
+        result_.estimate = estimateError(setup_, checkpoints, result_.outcome, [this] { return goesOn(); });
         result_.estimate->seconds = nowInSeconds() - estimated_from;
       } catch (const Interrupted&) {
         result_.outcome.stopped = true;
@@ -111,14 +111,16 @@ class Runner {
     saved_.last.restore(now);
     method.begin(setup_.system, now);
     method.recall(saved_.memory);
+    setup_.system.switches().recall(saved_.history);
     span.first = saved_.last.step, result_.largest_turn = saved_.largest_turn, before_ = saved_.counts;
   }
   /// Keeps the state as the last one to resume from, if that gives the same bits, and saves it about once in
   /// saving_.seconds.
   void keep(Method<Sys>& method, const State<Sys>& state, long n) {
     auto memory = method.memory();
-    if (!memory || atEvent(state)) return;
-    saved_.last = {n, state}, saved_.memory = std::move(*memory);
+    if (!memory || !setup_.system.switches().settled() || atEvent(state)) return;
+    saved_.last = {n, state}, saved_.memory = std::move(*memory),
+    saved_.history = setup_.system.switches().history();
     saved_.counts = method.counts() + before_, saved_.largest_turn = result_.largest_turn;
     kept_ = true;
     if (const double now = nowInSeconds(); now - saved_at_ > saving_.seconds)

@@ -59,7 +59,7 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-const std::string first_line = "liecheck checkpoint 1";
+const std::string first_line = "liecheck checkpoint 2";
 
 class Writer {
  public:
@@ -154,7 +154,7 @@ std::uint64_t digestOf(const Scene& scene) {
 std::string textOf(const SavedRun& run) {
   Writer w;
   w.put(std::bit_cast<long>(run.digest));
-  w.putAll(run.memory);
+  w.putAll(run.memory), w.putAll(run.history);
   w.put(run.counts.steps), w.put(run.counts.rejected), w.put(run.counts.iterations), w.put(run.largest_turn);
   w.put(run.last), w.put(run.samples), w.put(run.sections);
   return w.text;
@@ -169,7 +169,7 @@ SavedRun savedRunOf(const std::string& text, const Scene& scene) {
     throw std::invalid_argument(
         "is a checkpoint of another scene: robot, start, effects, integrator, times and observers must be "
         "the same");
-  r.getAll(run.memory);
+  r.getAll(run.memory), r.getAll(run.history);
   r.get(run.counts.steps), r.get(run.counts.rejected), r.get(run.counts.iterations), r.get(run.largest_turn);
   r.get(run.last), r.get(run.samples), r.get(run.sections);
   const SavedState start = withSetup(scene, [](auto& setup) { return SavedState(0, setup.start); });

@@ -29,7 +29,8 @@ struct SavedState {
 struct SavedRun {
   std::uint64_t digest = 0;  ///< of the scene
   SavedState last;
-  std::vector<double> memory;  ///< of the method at the last state
+  std::vector<double> memory;   ///< of the method at the last state
+  std::vector<double> history;  ///< of the switching functions there
   MethodCounts counts;
   double largest_turn = 0;                    ///< as in Run
   std::vector<SavedState> samples, sections;  ///< at samples; for the estimate of the error

@@ -11,6 +11,7 @@ struct Span {
   long steps = 1;       ///< of duration / steps each; an adaptive method subdivides them
   long every = 1;       ///< steps between samples; the start and the end are sampled too
   long first = 0;       ///< steps made by an earlier part of the run, which began at time 0
+  double coarse = 1;    ///< r of phase_check.hpp
 };
 
 struct Outcome {
@@ -20,6 +21,7 @@ struct Outcome {
   std::string why;             ///< the reason if it diverged
   long events = 0;             ///< changes of branches that were located
   std::optional<double> zeno;  ///< time of the first step with too many of them [s]
+  PhaseSteps phases;  ///< steps that were shortened since a phase of the forces is shorter than a step
 };
 
 /// watch(state, step) returns false to stop. It throws StepFailed to refuse the state; the step is then not
@@ -32,10 +34,10 @@ template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
   const S t0 = span.first > 0 ? S(0) : state.t, h = S(span.duration) / S(span.steps);
-  EventSteps<Sys> events(system, state, method.what().order > 1);
+  EventSteps<Sys> events(system, state, method.what(), h, span.coarse);
   const auto ended = [&](long steps, bool stopped, const char* why = nullptr) {
     return Outcome{steps,          double(t0 + S(steps) * h), why != nullptr, stopped,
-                   why ? why : "", events.located(),          events.zeno()};
+                   why ? why : "", events.located(),          events.zeno(),  events.phases()};
   };
   const bool timed = !events.none();
   long made = span.first;

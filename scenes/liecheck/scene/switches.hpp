@@ -7,7 +7,10 @@
 // the sign at each evaluation decides. (Hairer, Norsett & Wanner 1993, II.6; Mannshardt 1978.)
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <liecheck/spatial/types.hpp>
+#include <optional>
 #include <vector>
 
 namespace liecheck::scene {
@@ -84,6 +87,54 @@ class Switches {
       if (f.sign > S(0) ? !(f.value > S(0)) : f.value > S(0)) f.sign = -f.sign;
   }
 
+  /// Remembers the values of the last evaluation as those at the time t, beside the ones before.
+  void remember(double t) {
+    if (known_ > 0 && t == times_[1]) return;
+    if (known_ > 0 && (t < times_[1] || last_.size() != held_.size())) known_ = 0;
+    known_ = std::min(known_ + 1, 2);
+    times_[0] = times_[1], times_[1] = t;
+    last_.resize(held_.size());
+    for (std::size_t k = 0; k < held_.size(); ++k) last_[k] = {last_[k][1], double(held_[k].value)};
+  }
+  /// Remembers the values of the last evaluation, at the time t, unless a function may have changed its sign twice since
+  /// the ones before: the extremum of the parabola through its last three values lies beyond 0, or nearly so. Then it
+  /// returns the first such time, and forgets all.
+  std::optional<double> missed(double t) {
+    if (known_ < 2 || last_.size() != held_.size() || !(t > times_[1])) {
+      remember(t);
+      return {};
+    }
+    std::optional<double> first;
+    const double d = t - times_[1], ratio = d / (times_[1] - times_[0]);
+    const Held* held = held_.data();
+    for (std::array<double, 2>& last : last_) {
+      const double value = double(held->value), rise = value - last[1], before = (last[1] - last[0]) * ratio;
+      if (std::abs(last[1]) < 4 * (std::abs(rise) + std::abs(before))) [[unlikely]]
+        if (const auto x = beyond(double(held->sign) * last[1], double(held->sign) * rise,
+                                  double(held->sign) * before, ratio))
+          if (!first || times_[1] + *x * d < *first) first = times_[1] + *x * d;
+      last = {last[1], value}, ++held;
+    }
+    times_[0] = times_[1], times_[1] = t;
+    if (first) known_ = 0;
+    return first;
+  }
+  /// The remembered values, for a run that is saved and continued.
+  std::vector<double> history() const {
+    std::vector<double> all{double(known_), times_[0], times_[1]};
+    for (const auto& values : last_) all.insert(all.end(), values.begin(), values.end());
+    return all;
+  }
+  void recall(const std::vector<double>& all) {
+    if (all.size() < 3) return;
+    known_ = int(all[0]), times_[0] = all[1], times_[1] = all[2];
+    last_.resize((all.size() - 3) / 2);
+    for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = {all[3 + 2 * k], all[4 + 2 * k]};
+  }
+  /// Whether what a step takes from the steps before it is in the state, in this history and in the memory of the method.
+  bool settled() const { return settled_; }
+  void settle(bool settled) { settled_ = settled; }
+
   /// True if a function had the other sign in an evaluation since forget().
   bool crossed() const { return crossed_; }
   /// Methods call it before the evaluations that enter the result, such as the last iteration of an implicit one.
@@ -95,6 +146,20 @@ class Switches {
     S sign;   ///< 1 where the branch applies, and -1 otherwise
   };
   std::vector<Held> held_;
+  /// The share x in (0, 1) of a step at which g + slope x + bend x^2, which rose by `rise` in it and at the rate of `before`
+  /// in the step before, is least, if that is below g/10.
+  static std::optional<double> beyond(double g, double rise, double before, double ratio) {
+    const double bend = (rise - before) * ratio / (1 + ratio), slope = rise - bend;
+    if (!(bend > 0)) return {};
+    const double x = -slope / (2 * bend);
+    if (x > 0.02 && x < 0.98 && -slope * x / 2 > 0.9 * g) return x;
+    return {};
+  }
+
+  std::vector<std::array<double, 2>> last_;  ///< remembered values, the later one last
+  double times_[2] = {0, 0};
+  int known_ = 0;
+  bool settled_ = true;
   std::size_t at_ = 0;  ///< the next function
   bool is_held_ = false, learning_ = false, crossed_ = false;
 };

@@ -56,6 +56,7 @@ class Collisions final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnBodies; }
   bool conservative() const override { return law_.conservative(); }
+  bool passive() const override { return true; }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     forEachPair(now, [&](const Solid& a, const Solid& b) { press(now, load, a, b); });

@@ -65,6 +65,7 @@ class Contact final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnBodies; }
   bool conservative() const override { return law_.conservative(); }
+  bool passive() const override { return true; }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     const auto within = now.next(located_ ? balls_.size() + rims_.size() : 0);

@@ -30,6 +30,7 @@ class Drag final : public Effect<S> {
         current_(vectorOf<S>(p.numbers("current"))),
         flows_(!current_.isZero(S(0))) {}
   Acts acts() const override { return Acts::OnBodies; }
+  bool passive() const override { return !flows_; }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     Motion<S> V = spot_.velocity(now);

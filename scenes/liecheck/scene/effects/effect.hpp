@@ -27,7 +27,8 @@ struct Twists {
   Motion<S> operator[](std::size_t i) const {
     if (!stored_in_world) return stored[i];
     const Matrix3<S>& R = X_WJ[i].rotation();
-    return Motion<S>(transposed_product<S>(R, stored[i].linear()), transposed_product<S>(R, stored[i].angular()));
+    return Motion<S>(transposed_product<S>(R, stored[i].linear()),
+                     transposed_product<S>(R, stored[i].angular()));
   }
   /// In the world's axes.
   Motion<S> inWorld(std::size_t i) const {
@@ -110,6 +111,8 @@ class Effect {
   virtual std::vector<S> events() const { return {}; }
   /// True if the sum of kinetic energy and potential() is constant under this effect alone.
   virtual bool conservative() const { return false; }
+  /// True if that sum never grows under this effect alone.
+  virtual bool passive() const { return conservative(); }
   /// The potential energy [J] of the force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
   /// Its contacts that slide. Reads velocities.

@@ -21,6 +21,7 @@ class JointDamping final : public Effect<S> {
       terms_.emplace_back(c.v, p.has("coefficient") ? S(p.number("coefficient")) : model.damping[c.v]);
   }
   Acts acts() const override { return Acts::OnJoints; }
+  bool passive() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     const S* const v = now.v.data();
     S* const tau = load.tau.data();

@@ -23,6 +23,7 @@ class JointFriction final : public Effect<S> {
       terms_.emplace_back(c.v, p.has("force") ? S(p.number("force")) : model.friction[c.v]);
   }
   Acts acts() const override { return Acts::OnJoints; }
+  bool passive() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     using std::sqrt;
     for (const auto& [k, f] : terms_) {

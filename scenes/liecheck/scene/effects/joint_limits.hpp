@@ -27,6 +27,7 @@ class JointLimits final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnJoints; }
   bool conservative() const override { return c_ == S(0); }
+  bool passive() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const Limited& j : at_) {
       const S& q = now.q[std::size_t(j.at.q)];

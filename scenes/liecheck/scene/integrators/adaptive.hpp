@@ -21,14 +21,16 @@ class Adaptive : public Method<Sys> {
   MethodCounts counts() const override { return counts_; }
   S reached() const final { return reached_; }
   using Memory = typename Method<Sys>::Memory;
-  std::optional<Memory> memory() const override { return Memory{h_}; }
-  void recall(const Memory& all) override { h_ = all.at(0); }
+  std::optional<Memory> memory() const override { return Memory{h_, usual_}; }
+  void recall(const Memory& all) override { h_ = all.at(0), usual_ = all.at(1); }
   void begin(Sys&, const State<Sys>& state) override {
     delta_ = dv_ = e_delta_ = e_v_ = state.v, at_ = state;
     h_ = S(0);
+    if (state.t == S(0)) usual_ = S(0);  // another run
   }
   void step(Sys& system, State<Sys>& state, const S& h) final {
-    if (!(h_ > S(0)) || h_ > h) h_ = h;
+    if (!(h_ > S(0))) h_ = usual_ > S(0) ? usual_ : h;
+    if (h_ > h) h_ = h;
     at_ = state;
     S done(0);
     while (done < h) {
@@ -38,7 +40,14 @@ class Adaptive : public Method<Sys> {
         throw StepFailed("no step is small enough for the tolerance");
       if (++tried_ % 256 == 0 && stop_ && stop_()) throw Interrupted();
       system.switches().forget();
-      const S error = attempt(system, *at_, trial);
+      S error = std::numeric_limits<S>::infinity();
+      try {
+        error = attempt(system, *at_, trial);
+      } catch (
+          const std::
+              domain_error&) {  // SingularInertia: of a stage that went astray, if a shorter step has none
+        if (!(S(h + trial / S(4)) > h)) throw;
+      }
       using std::max, std::min, std::pow;
       const bool good = error <= S(1);  // false for NaN
       const S factor =
@@ -50,6 +59,7 @@ class Adaptive : public Method<Sys> {
         continue;
       }
       ++counts_.steps;
+      if (!last) usual_ = trial;
       accepted(trial);
       checkFinite(delta_, dv_);
       advance(system, *at_, delta_, dv_);
@@ -81,6 +91,7 @@ class Adaptive : public Method<Sys> {
  private:
   std::optional<State<Sys>> at_;
   S tolerance_, h_ = S(0), reached_ = S(0);
+  S usual_ = S(0);  ///< the last step that no end limited: the first one after an event
   std::function<bool()> stop_;
   long tried_ = 0;
 };

@@ -35,12 +35,13 @@ class Radau5 final : public Adaptive<Sys> {
   using Memory = typename Method<Sys>::Memory;
   std::optional<Memory> memory() const override {
     auto all = stages_.memory();
-    if (all) all->push_back(Adaptive<Sys>::memory()->at(0));
+    const auto own = Adaptive<Sys>::memory();
+    if (all) all->insert(all->end(), own->begin(), own->end());
     return all;
   }
   void recall(const Memory& all) override {
-    Adaptive<Sys>::recall({all.back()});
-    stages_.recall({all.begin(), all.end() - 1});
+    Adaptive<Sys>::recall(Memory(all.end() - 2, all.end()));
+    stages_.recall(Memory(all.begin(), all.end() - 2));
   }
   void begin(Sys& system, const State<Sys>& state) override {
     Adaptive<Sys>::begin(system, state);
