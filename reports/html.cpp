@@ -2,18 +2,12 @@
 
 #include <cmath>
 #include <reports/html.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::reports {
 
 std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text)
-    out += c == '&'   ? "&amp;"
-           : c == '<' ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
-  return out;
+  return properties::xml_escaped(text);
 }
 
 std::string eps_text(double value) {

@@ -8,11 +8,20 @@
 #include <reports/record.hpp>
 #include <stdexcept>
 #include <string_view>
-#include <support/files.hpp>
+#include <support/read_json.hpp>
 
 namespace liecheck::reports {
 
 namespace {
+
+/// Refuses a member whose name the page could mistake for one of its own (packed()).
+void check_names(std::string_view file, const Json& value) {
+  for (const auto& [name, part] : value.items()) {
+    if (value.is_object() && name.starts_with('*'))
+      throw std::runtime_error(fmt::format("{}: a member may not begin with a star: {}", file, name));
+    if (part.is_structured()) check_names(file, part);
+  }
+}
 
 /// Refuses a seed below 0: types.json says why the schema does not.
 void check_seed(std::string_view file, const char* field, const Json& value) {
@@ -31,6 +40,9 @@ void check_relations(std::string_view file, const Json& record) {
   };
   check_seed(file, "seed", record["seed"]);
   each("results", record["results"], [&](const std::string& field, const Json& row) {
+    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.,:+-";
+    if (has_worst(row) && row["worst"]["id"].get<std::string>().find_first_not_of(plain) != std::string::npos)
+      refuse(file, field + ".worst.id", "the address of a case", row["worst"]["id"]);
     if (row["count"] == 0 && row["status"] != "empty")
       refuse(file, field + ".count", "a count from 1", row["count"]);
     for (const char* name : {"ill_posed", "unresolved", "not_finite", "wrong_branch", "refused", "failed",
@@ -85,53 +97,6 @@ void check_measurement(std::string_view file, const std::string& kind, const Jso
     refuse(file, "verdict", "fail, as a row failed", record["verdict"]);
 }
 
-/// "line 3, column 14" of the byte at index `at`; both count from 1, columns in bytes.
-std::string line_and_column(std::string_view bytes, std::size_t at) {
-  const std::string_view before = bytes.substr(0, at);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const auto newline = before.rfind('\n');
-  return fmt::format("line {}, column {}", line, newline == before.npos ? at + 1 : at - newline);
-}
-
-/// Reads JSON. Throws the first error of a text that is not JSON, with its line and column.
-class Reader final : public nlohmann::detail::json_sax_dom_parser<Json> {
- public:
-  Reader(Json& value, const std::string& file, std::string_view bytes)
-      : json_sax_dom_parser(value), file_(file), bytes_(bytes) {}
-  bool start_object(std::size_t elements) {
-    deeper();
-    return json_sax_dom_parser::start_object(elements);
-  }
-  bool end_object() { return --depth_, json_sax_dom_parser::end_object(); }
-  bool start_array(std::size_t elements) {
-    deeper();
-    return json_sax_dom_parser::start_array(elements);
-  }
-  bool end_array() { return --depth_, json_sax_dom_parser::end_array(); }
-  bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& e) {
-    constexpr int out_of_range = 406;  // a number beyond the range of double
-    if (e.id == out_of_range)
-      throw std::runtime_error(fmt::format("{}: {}: a number beyond double: {}", file_,
-                                           line_and_column(bytes_, byte - std::min(byte, token.size())),
-                                           token));
-    const std::size_t at = byte > 0 ? byte - 1 : 0;
-    throw std::runtime_error(
-        fmt::format("{}: not JSON: {}: unexpected {}", file_, line_and_column(bytes_, at),
-                    at < bytes_.size() ? fmt::format("\"{:#04x}\"", static_cast<unsigned char>(bytes_[at]))
-                                       : "end of the file"));
-  }
-
- private:
-  void deeper() {
-    if (++depth_ > properties::deepest_json)
-      throw std::runtime_error(
-          fmt::format("{}: nested more deeply than {} levels", file_, properties::deepest_json));
-  }
-  const std::string& file_;
-  std::string_view bytes_;
-  int depth_ = 0;
-};
-
 }  // namespace
 
 const Json& list_in(const Json& object, const char* name) {
@@ -167,10 +132,8 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
         throw std::runtime_error(fmt::format("{}: field {}: {}{} is already in {}", path, field, row,
                                              fmt::join(first->first, " / "), first->second));
     };
-    const std::string bytes = properties::read_whole(file);
-    Json record;
-    Reader reader(record, path, bytes);
-    Json::sax_parse(std::string_view(bytes), &reader);
+    Json record = properties::read_json(path);
+    check_names(path, record);
     const auto kind = std::ranges::find_if(
         measurement_kinds, [&](const char* name) { return record.is_object() && record.contains(name); });
     if (kind != std::end(measurement_kinds)) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <support/files.hpp>
+#include <support/folder.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <system_error>
@@ -52,11 +53,12 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
   const Json numbers = {{"records", merged.records}, {"results", merged.results}};
   Json whole = numbers;
   for (const auto& [kind, all] : merged.measurements) whole[kind] = all;
+  const std::string html = page(merged, numbers);
+  properties::make_folder("--out", out_dir.string());
+  const ReportFiles files{properties::file_in(out_dir, "report.html"),
+                          properties::file_in(out_dir, "report.json"),
+                          properties::file_in(out_dir, "report.csv")};
   std::error_code error;
-  std::filesystem::create_directories(out_dir, error);
-  if (error)
-    throw std::runtime_error(fmt::format("{}: cannot be created: {}", out_dir.string(), error.message()));
-  const ReportFiles files{out_dir / "report.html", out_dir / "report.json", out_dir / "report.csv"};
   for (const auto& record : records)
     for (const auto& file : {files.html, files.json, files.csv})
       if (std::filesystem::equivalent(record, file, error))
@@ -66,7 +68,7 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
   const properties::Unfinished all_three;  // a signal between two files would leave those of two reports
   properties::write_whole(files.json, dumped(whole, 1) + '\n');
   properties::write_whole(files.csv, csv(merged));
-  properties::write_whole(files.html, page(merged, numbers));
+  properties::write_whole(files.html, html);
   return files;
 }
 

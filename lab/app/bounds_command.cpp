@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <support/progress.hpp>
 #include <support/run_state.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include "lab_commands.hpp"
@@ -71,8 +72,8 @@ int run(const Flags& f) {
   stop_on_signals();
   std::vector<ProvedBound> rows;
   bool failed = false;
-  fmt::print("{:<24}{:<17}{:>10}{:>10}{:>8}{:>8}{:>10}  {}\n", "operation", "block", "hunted", "proved",
-             "ratio", "limit", "boxes", "[eps]; the proved bound holds for");
+  say("{:<24}{:<17}{:>10}{:>10}{:>8}{:>8}{:>10}  {}\n", "operation", "block", "hunted", "proved", "ratio",
+      "limit", "boxes", "[eps]; the proved bound holds for");
   const auto show = [&](const ProvedBound& b) {
     std::string why;
     if (b.contradicted())
@@ -81,8 +82,8 @@ int run(const Flags& f) {
       why = fmt::format("  FAILED: {} eps is not proved; the largest bound is at {}", f.claim, b.worst);
     failed = failed || !why.empty();
     if (why.empty() && claim > 0 && b.bound > claim) why = "  stopped before a proof of the claim";
-    fmt::print("{:<24}{:<17}{:>10.3g}{:>10.3f}{:>8.2f}{:>8.3g}{:>10}  {}{}\n", b.operation, b.block, b.hunted,
-               std::ceil(b.bound * 1000) / 1000, b.bound / b.hunted, b.limit, b.boxes, b.inputs, why);
+    say("{:<24}{:<17}{:>10.3g}{:>10.3f}{:>8.2f}{:>8.3g}{:>10}  {}{}\n", b.operation, b.block, b.hunted,
+        std::ceil(b.bound * 1000) / 1000, b.bound / b.hunted, b.limit, b.boxes, b.inputs, why);
     std::fflush(stdout);
     rows.push_back(b);
   };
@@ -104,8 +105,8 @@ int run(const Flags& f) {
   const bool complete = !stop_requested &&
                         std::all_of(rows.begin(), rows.end(), [](auto& b) { return std::isfinite(b.bound); });
   if (stop_requested)
-    fmt::print(stderr, "interrupted: the bounds hold, and more boxes would lower them{}\n",
-               std::filesystem::exists(f.state) ? "; the same command goes on with " + f.state : "");
+    warn(fmt::format("interrupted: the bounds hold, and more boxes would lower them{}\n",
+                     std::filesystem::exists(f.state) ? "; the same command goes on with " + f.state : ""));
   if (!f.json.empty()) write_record(f.json, record_of(rows, complete, failed));
   return failed ? property_failed : complete ? within_budget : incomplete;
 }

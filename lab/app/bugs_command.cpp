@@ -4,6 +4,7 @@
 #include <bugs/weak_tests.hpp>
 #include <history/first_failure.hpp>
 #include <results/bench.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -32,9 +33,9 @@ void hunt_down(BugRow& bug, const BugBench& bench, std::uint64_t cases, const Ro
 }
 
 void print_header() {
-  fmt::print("{:<34} {:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
-  for (const WeakStyle& w : weak_styles()) fmt::print("{:>14}", w.name);
-  fmt::print("\n");
+  say("{:<34} {:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
+  for (const WeakStyle& w : weak_styles()) say("{:>14}", w.name);
+  say("\n");
 }
 
 void print_row(const BugRow& bug) {
@@ -44,11 +45,11 @@ void print_row(const BugRow& bug) {
                                        : bug.not_measured.empty() ? "passes"
                                                                   : "INCOMPLETE")
                                     : (bug.killed ? "killed" : "SURVIVES");
-  fmt::print("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name, verdict, bug.cases, bug.seconds,
-             !bug.by.empty()            ? bug.by
-             : bug.not_measured.empty() ? "-"
-                                        : "not measured: " + bug.not_measured,
-             marks);
+  say("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name, verdict, bug.cases, bug.seconds,
+      !bug.by.empty()            ? bug.by
+      : bug.not_measured.empty() ? "-"
+                                 : "not measured: " + bug.not_measured,
+      marks);
   std::fflush(stdout);
 }
 
@@ -56,18 +57,16 @@ void print_summary(const BugBench& b) {
   double slowest = 0;
   for (const BugRow& bug : b.rows)
     if (!bug.alike()) slowest = std::max(slowest, bug.seconds);
-  if (!b.complete)
-    fmt::print("\ninterrupted after {} of {} subjects", b.rows.size(), known_bug_table().size());
-  fmt::print(
-      "\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
+  if (!b.complete) say("\ninterrupted after {} of {} subjects", b.rows.size(), known_bug_table().size());
+  say("\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
       "{}\n",
       b.count(false, true), b.count(false), slowest, b.seconds_each, b.count(true, true), b.count(true),
       b.seed, b.scalar);
   for (std::size_t i = 0; i < weak_styles().size(); ++i)
-    fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name,
-               std::count_if(b.rows.begin(), b.rows.end(),
-                             [i](const BugRow& bug) { return !bug.alike() && bug.weaker_styles[i].second; }),
-               b.count(false));
+    say("{:<14} kills {:>3} of {}\n", weak_styles()[i].name,
+        std::count_if(b.rows.begin(), b.rows.end(),
+                      [i](const BugRow& bug) { return !bug.alike() && bug.weaker_styles[i].second; }),
+        b.count(false));
 }
 
 int run(const Flags& f) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <campaign/robots.hpp>
 #include <history/bench.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -19,19 +20,19 @@ void print_row(const HistoryRow& row) {
   const HistoricBug& b = *row.bug;
   const FirstFailure& f = row.faulty;
   if (b.kind == HistoryKind::not_expressed) {
-    fmt::print("{:<25} {:<14}{}\n", b.name, row.verdict(), b.wrong);
+    say("{:<25} {:<14}{}\n", b.name, row.verdict(), b.wrong);
   } else {
     const std::string digits = f.by.empty()        ? "-"
                                : f.outcome.empty() ? fmt::format("{:.1f}", f.digits_lost())
                                                    : f.outcome;
-    fmt::print("{:<25} {:<14}{:>6}{:>8.3f}  {:<13}{:<60} {}\n", b.name, row.verdict(), f.cases, f.seconds,
-               digits, f.by.empty() ? "-" : f.by, f.replay.substr(0, 160));
+    say("{:<25} {:<14}{:>6}{:>8.3f}  {:<13}{:<60} {}\n", b.name, row.verdict(), f.cases, f.seconds, digits,
+        f.by.empty() ? "-" : f.by, f.replay.substr(0, 160));
     if (row.verdict() == "INCOMPLETE") {
       const FirstFailure& open = f.by.empty() && !f.in_time ? f : row.fixed;
-      fmt::print("  {}\n", open.in_time ? "without a verdict: " + open.not_measured + f.not_measured
-                                        : fmt::format("the time was up after {} cases", open.cases));
+      say("  {}\n", open.in_time ? "without a verdict: " + open.not_measured + f.not_measured
+                                 : fmt::format("the time was up after {} cases", open.cases));
     }
-    if (!row.fixed.by.empty()) fmt::print("  the repaired form: {}; {}\n", row.fixed.by, row.fixed.replay);
+    if (!row.fixed.by.empty()) say("  the repaired form: {}; {}\n", row.fixed.by, row.fixed.replay);
   }
   std::fflush(stdout);
 }
@@ -42,8 +43,7 @@ void print_summary(const HistoryBench& b) {
   for (const HistoryRow& r : b.rows)
     if (r.verdict() == "found")
       slowest = std::max(slowest, r.faulty.seconds), most = std::max(most, r.faulty.cases), ++silent;
-  fmt::print(
-      "\n{}found {} of {} bugs, the last after {} cases, the slowest in {:.2f} s; {} repaired forms and {} "
+  say("\n{}found {} of {} bugs, the last after {} cases, the slowest in {:.2f} s; {} repaired forms and {} "
       "of {} controls silent "
       "in {} cases of each law from case {} on; {} not expressed; seed {}, double\n",
       b.complete ? "" : "interrupted: ", b.count("found"),
@@ -56,15 +56,15 @@ void print_summary(const HistoryBench& b) {
 
 int run(const Flags& f) {
   if (f.list) {
-    fmt::print("{}", history_table());
+    say("{}", history_table());
     return within_budget;
   }
   const auto rows = history_rows(f.bench.names);
   const Robot robot = built_in_robot();
   stop_on_signals();
   HistoryBench bench = f.bench;
-  fmt::print("{:<25} {:<14}{:>6}{:>8}  {:<13}{:<60} {}\n", "history:", "", "cases", "s", "digits lost",
-             "found by", "first failing input: liecheck replay ...");
+  say("{:<25} {:<14}{:>6}{:>8}  {:<13}{:<60} {}\n", "history:", "", "cases", "s", "digits lost", "found by",
+      "first failing input: liecheck replay ...");
   for (const HistoricBug* bug : rows) {
     HistoryRow row = measure(*bug, bench, robot);
     if (stop_requested) break;

@@ -10,6 +10,7 @@
 #include <support/files.hpp>
 #include <support/json_number.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -73,8 +74,8 @@ int run(const Flags& f) {
   o.left_out = [&](const std::string& what) { left_out.push_back(what); };
   nlohmann::json rows = nlohmann::json::array();
   bool failed = false;
-  fmt::print("{:<18} {:<7} {:<19}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
-             "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
+  say("{:<18} {:<7} {:<19}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
+      "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
   const auto show = [&](const Horizon& h) {
     const Status status = status_of(h);
     progress.reset();
@@ -82,8 +83,7 @@ int run(const Flags& f) {
     for (const HorizonPoint& p : h.points) {
       const bool last = &p == &h.points.back();
       if (!last && !f.all) continue;
-      fmt::print(
-          "{:<18} {:<7} {:<19}{:>12}{:>11.3g}{:>13.4g}{:>12.3g}{}{}\n", h.subject, h.scalar, h.walk, p.n,
+      say("{:<18} {:<7} {:<19}{:>12}{:>11.3g}{:>13.4g}{:>12.3g}{}{}\n", h.subject, h.scalar, h.walk, p.n,
           p.norm, p.attitude, p.attitude / std::sqrt(static_cast<double>(p.n)),
           last && std::isfinite(h.exponent)
               ? fmt::format("{:>9.2f}  {:.2f} .. {:.2f}", h.exponent, h.low, h.high)
@@ -94,10 +94,10 @@ int run(const Flags& f) {
     rows.push_back(json_of(h, status));
   };
   const bool complete = measure_horizons(o, show) && measure_scene_horizons(o, show);
-  for (const std::string& what : left_out) fmt::print("left out: {}\n", what);
+  for (const std::string& what : left_out) say("left out: {}\n", what);
   if (!complete)
-    fmt::print(stderr, "interrupted{}\n",
-               std::filesystem::exists(o.state) ? ": the same command goes on with " + o.state : "");
+    warn(fmt::format("interrupted{}\n",
+                     std::filesystem::exists(o.state) ? ": the same command goes on with " + o.state : ""));
   const int code = failed ? property_failed : !complete || rows.empty() ? incomplete : within_budget;
   if (!f.json.empty())
     write_record(f.json, {{"horizons", 1},
@@ -116,11 +116,12 @@ int run(const Flags& f) {
 }  // namespace
 
 Command horizons_command(CLI::App& lab) {
-  CommandWith<Flags> a(lab, "horizons",
-                       "measure the drift over many calls: the drift of norm and attitude over many calls of "
-                       "integrate, of products with a "
-                       "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
-                       "liecheck keeps what docs/laboratory.md says; 1 if not; 2 for bad input; 3 if stopped");
+  CommandWith<Flags> a(
+      lab, "horizons",
+      "measure the drift over many calls: the drift of norm and attitude over many calls of "
+      "integrate, of products with a "
+      "normalisation, and of compose there and back, and how fast they grow. Exit code 0 if "
+      "liecheck keeps what docs/laboratory.md says; 1 if not; 2 for bad input; 3 if stopped");
   a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
   a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");
   a.list("--walk", a->walks, "WALK",

@@ -5,6 +5,7 @@
 #include <lattice/lattice.hpp>
 #include <map>
 #include <results/bench.hpp>
+#include <support/say.hpp>
 #include "lab_commands.hpp"
 
 namespace liecheck::properties {
@@ -35,14 +36,13 @@ struct Cell {
 };
 
 void print_line(const std::string& operation, const std::string& family, const Cell& c) {
-  fmt::print("{:<32}{:<20}{:>7}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n", operation, family, c.faults,
-             c.within[0], c.within[1], c.within[2], c.slowest ? std::to_string(c.slowest) : "-", c.granted,
-             c.missed, c.unfired);
+  say("{:<32}{:<20}{:>7}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n", operation, family, c.faults, c.within[0],
+      c.within[1], c.within[2], c.slowest ? std::to_string(c.slowest) : "-", c.granted, c.missed, c.unfired);
 }
 
 void print_table(const LatticeResult& r) {
-  fmt::print("{:<32}{:<20}{:>7}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n", "operation", "trigger", "faults",
-             "in 10^3", "in 10^4", "in 10^5", "slowest", "granted", "unseen", "unfired");
+  say("{:<32}{:<20}{:>7}{:>8}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n", "operation", "trigger", "faults", "in 10^3",
+      "in 10^4", "in 10^5", "slowest", "granted", "unseen", "unfired");
   const auto position = [](const std::string& operation) {
     const auto& all = all_operations();
     return std::find_if(all.begin(), all.end(), [&](auto* o) { return o->name == operation; }) - all.begin();
@@ -71,12 +71,11 @@ void print_holes(const LatticeResult& r) {
       ++holes[fmt::format("{}: {}", found_words[static_cast<std::size_t>(row.verdict.found)], what)]
              [fmt::format("{} ({:.2g} %)", row.operation, 100 * row.verdict.share)];
     }
-  if (!holes.empty())
-    fmt::print("\nnot found (with the share of a law's cases in which the trigger fired):\n");
+  if (!holes.empty()) say("\nnot found (with the share of a law's cases in which the trigger fired):\n");
   for (const auto& [what, operations] : holes) {
     std::string list;
     for (const auto& [operation, count] : operations) list += (list.empty() ? "" : ", ") + operation;
-    fmt::print("  {}: {}\n", what, list);
+    say("  {}: {}\n", what, list);
   }
 }
 
@@ -88,13 +87,11 @@ int run(const Flags& f) {
   const LatticeResult r = run_lattice(options, robot);
   print_table(r);
   print_holes(r);
-  fmt::print("\n");
+  say("\n");
   for (const auto& [subject, share] : r.failures_of_base)
     if (share > 0)
-      fmt::print("base {} fails {:.2g} % of its cases without a fault; they were left out\n", subject,
-                 100 * share);
-  fmt::print(
-      "{} faults{}; of {} with a trigger in 1 % of a law's cases, {} found within 1000 cases; seed {}, {}\n",
+      say("base {} fails {:.2g} % of its cases without a fault; they were left out\n", subject, 100 * share);
+  say("{} faults{}; of {} with a trigger in 1 % of a law's cases, {} found within 1000 cases; seed {}, {}\n",
       r.rows.size(), r.complete ? "" : " (interrupted)", r.common(), r.common_found(), f.options.seed,
       f.options.scalar);
   write_record_of(f.json, r);

@@ -14,8 +14,8 @@
 #include <support/json.hpp>
 #include <support/own_process.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
-#include <support/text.hpp>
 #include "lab_commands.hpp"
 
 namespace liecheck::properties {
@@ -128,19 +128,17 @@ void measure_all(const std::vector<league::Entry>& entries, const Flags& f, json
 }
 
 void print_league(const json& record, const std::string& question) {
-  fmt::print("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12}{:>12}{:>5}  {}\n", "library", "version", "language",
-             "scalar", "grade", "worst [eps]", "ns a call", "of", "worst operation");
+  say("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12}{:>12}{:>5}  {}\n", "library", "version", "language", "scalar",
+      "grade", "worst [eps]", "ns a call", "of", "worst operation");
   for (const league::Answer& a : league::answers(record, question))
-    fmt::print("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12.3g}{:>12.0f}{:>5}  {}\n", printable(a.library),
-               printable(a.version), printable(a.language), a.scalar, a.grade, a.eps, a.ns, a.operations,
-               printable(a.worst_operation));
-  fmt::print(
-      "\ngrade{}: A within 64 eps, B at most 1e4 eps, C at most 1e8 eps, D more, F a result that is NaN, on "
+    say("{:<22}{:<14}{:<12}{:<8}{:<7}{:>12.3g}{:>12.0f}{:>5}  {}\n", a.library, a.version, a.language,
+        a.scalar, a.grade, a.eps, a.ns, a.operations, a.worst_operation);
+  say("\ngrade{}: A within 64 eps, B at most 1e4 eps, C at most 1e8 eps, D more, F a result that is NaN, on "
       "a wrong "
       "branch or missing; errors are the largest found, a lower bound\n",
       question.empty() ? "" : " for " + question);
   for (const json& a : record["absent"])
-    fmt::print("absent: {}; to get it: {}\n", a["name"].get<std::string>(), a["get"].get<std::string>());
+    say("absent: {}; to get it: {}\n", a["name"].get<std::string>(), a["get"].get<std::string>());
 }
 
 int run(const Flags& f) {
@@ -166,7 +164,7 @@ int run(const Flags& f) {
 int measure(const Flags& f) {
   league::MeasureOptions o = f.options;
   o.robot = f.robot.file, o.fixed = f.robot.root == "fixed";
-  fmt::print("{}\n", dumped(league::measure(f.adapter, o)));
+  say("{}\n", dumped(league::measure(f.adapter, o)));
   return within_budget;
 }
 
@@ -175,13 +173,12 @@ int findings(const Flags& f) {
   const league::Trust trust{league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters),
                             f.record, f.run_recorded};
   stop_on_signals();
-  fmt::print("{}", printable_lines(league::write_findings(record, trust, f.out).text));
+  say_text(league::write_findings(record, trust, f.out).text);
   return stop_requested ? incomplete : within_budget;
 }
 
 int changed(const Flags& f) {
-  fmt::print("{}",
-             printable_lines(league::changes(league::read_league(f.before), league::read_league(f.after))));
+  say_text(league::changes(league::read_league(f.before), league::read_league(f.after)));
   return within_budget;
 }
 

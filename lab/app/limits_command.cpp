@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -25,15 +26,14 @@ struct Flags {
 
 /// One column for each subject, one row for each line of the table of limits.
 void print_table(const std::map<std::string, Needs>& all) {
-  fmt::print(
-      "largest errors [eps, or eps kappa where the rule is excess]; 'budget' is the limit of the table\n\n");
+  say("largest errors [eps, or eps kappa where the rule is excess]; 'budget' is the limit of the table\n\n");
   std::set<LimitKey> lines;
-  fmt::print("{:<31}{:<22}{:<10}{:<8}{:>7}", "operation", "block", "region", "rule", "budget");
+  say("{:<31}{:<22}{:<10}{:<8}{:>7}", "operation", "block", "region", "rule", "budget");
   for (const auto& [subject, needs] : all) {
-    fmt::print("{:>17}", subject.substr(subject.find(':') + 1));
+    say("{:>17}", subject.substr(subject.find(':') + 1));
     for (const auto& [key, need] : needs) lines.insert(key);
   }
-  fmt::print("\n");
+  say("\n");
   for (const LimitKey& key : lines) {
     std::string cells;
     double budget = 0;
@@ -44,8 +44,7 @@ void print_table(const std::map<std::string, Needs>& all) {
                                      : fmt::format("{:>17.3g}", need->second.largest);
       if (need != needs.end()) budget = need->second.limit;
     }
-    fmt::print("{:<31}{:<22}{:<10}{:<8}{:>7.3g}{}\n", key.operation, key.block, key.region, key.rule, budget,
-               cells);
+    say("{:<31}{:<22}{:<10}{:<8}{:>7.3g}{}\n", key.operation, key.block, key.region, key.rule, budget, cells);
   }
 }
 
@@ -55,11 +54,11 @@ bool print_accusations(const std::string& subject, const Needs& found) {
   for (const auto& [key, need] : found)
     if (need.accused()) {
       accused = true;
-      fmt::print("{}: {}, {}, {}: {:.4g}, limit {:.4g}; {} broken, {} not measured; worst {}\n", subject,
-                 key.operation, key.block, key.region, need.largest, need.limit, need.broken, need.unmeasured,
-                 need.worst);
+      say("{}: {}, {}, {}: {:.4g}, limit {:.4g}; {} broken, {} not measured; worst {}\n", subject,
+          key.operation, key.block, key.region, need.largest, need.limit, need.broken, need.unmeasured,
+          need.worst);
     }
-  if (!accused) fmt::print("{}: nothing is accused\n", subject);
+  if (!accused) say("{}: nothing is accused\n", subject);
   return accused;
 }
 
@@ -98,8 +97,7 @@ int run(const Flags& f) {
   const std::uint64_t tree_cases =
                           f.tree_cases ? f.tree_cases : std::max<std::uint64_t>(1, f.options.cases / 10),
                       check_cases = f.check_cases ? f.check_cases : 10 * f.options.cases;
-  fmt::print(
-      "limits of {} times the maxima over {} cases of seed {}, checked in {} of seed {}; in laws on "
+  say("limits of {} times the maxima over {} cases of seed {}, checked in {} of seed {}; in laws on "
       "trees over {} cases and in {}:\n",
       allowance, f.options.cases, f.options.seed, check_cases, f.options.seed + 1, tree_cases, tree_cases);
   std::map<std::string, Needs> all;
@@ -124,10 +122,10 @@ int run(const Flags& f) {
     std::fflush(stdout);
     all[subject] = needs;
   }
-  fmt::print("\n");
+  say("\n");
   print_table(all);
   if (stop_requested) {
-    fmt::print("\ninterrupted: the other subjects have no result\n");
+    say("\ninterrupted: the other subjects have no result\n");
     return incomplete;
   }
   return accused ? property_failed : within_budget;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -61,32 +62,31 @@ int run(const Flags& f) {
   stop_on_signals();
   nlohmann::json rows = nlohmann::json::array(), lines = rows;
   if (!f.where.empty()) {
-    fmt::print("{:>7}  {:<44}  {}\n", "share", "line", "function");
+    say("{:>7}  {:<44}  {}\n", "share", "line", "function");
     for (const RoundingLine& l : rounding_lines(options, f.where)) {
       if (l.share < 0.005 && !f.all) break;
-      fmt::print("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place, short_name(l.function));
+      say("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place, short_name(l.function));
       lines.push_back({{"share", l.share}, {"line", l.place}, {"function", l.function}});
     }
   } else {
-    fmt::print(
-        "digits of the root mean square error: of the result in double, by the oracle; and as random "
+    say("digits of the root mean square error: of the result in double, by the oracle; and as random "
         "rounding estimates "
         "them, with error-free\ntransformations exact, and with all steps at random\n\n");
-    fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}\n", "subject", "operation", "part", "band", "oracle",
-               "estimated", "all");
+    say("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}\n", "subject", "operation", "part", "band", "oracle",
+        "estimated", "all");
     std::size_t deceived = 0, n = 0;
     measure_digits(options, [&](const DigitsRow& r) {
       ++n, deceived += r.deceives();
       rows.push_back(json_of(r));
-      fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}{}\n", r.subject, r.operation, r.part, r.band,
-                 digits(r.actual), digits(r.estimated), digits(r.without_exemption),
-                 r.deceives()              ? "  deceives"
-                 : std::isnan(r.estimated) ? "  a result at random is not finite"
-                                           : "");
+      say("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}{}\n", r.subject, r.operation, r.part, r.band,
+          digits(r.actual), digits(r.estimated), digits(r.without_exemption),
+          r.deceives()              ? "  deceives"
+          : std::isnan(r.estimated) ? "  a result at random is not finite"
+                                    : "");
       std::fflush(stdout);
     });
-    fmt::print("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
-               deceived, n);
+    say("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
+        deceived, n);
   }
   const bool whole = !stop_requested && !(rows.empty() && lines.empty());
   if (!f.json.empty()) {
@@ -102,11 +102,11 @@ int run(const Flags& f) {
     write_record(f.json, record);
   }
   if (stop_requested)
-    fmt::print(stderr, "interrupted: the table is not complete\n");
+    warn("interrupted: the table is not complete\n");
   else if (!whole)
-    fmt::print(stderr,
-               "nothing was measured: the subjects do not offer these operations, or no rounding moves their "
-               "results in this band\n");
+    warn(
+        "nothing was measured: the subjects do not offer these operations, or no rounding moves their "
+        "results in this band\n");
   return whole ? within_budget : incomplete;
 }
 

@@ -8,6 +8,7 @@
 #include <scenes/stated_truth.hpp>
 #include <stdexcept>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 
 #include "lab_commands.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct Flags {
   std::vector<std::string> files;  ///< empty: the built-in scenes, and the long spins
+  std::vector<std::string> outside;
   SceneSweepOptions options;
   std::string json;
   bool no_orders = false, no_times = false, no_peers = false, for_report = false;
@@ -42,12 +44,13 @@ SceneSweepOptions options_of(const Flags& f) {
 }
 
 /// The scenes in the files, or the built-in scenes if there are no files.
-std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
+std::vector<Benchmark> scenes_of(const std::vector<std::string>& files,
+                                 const std::vector<std::string>& outside) {
   if (files.empty()) return builtin_benchmarks();
   std::vector<Benchmark> scenes;
   for (const std::string& file : files) {
     std::vector<std::string> warnings;
-    const scene::Scene scene = loadScene(file, &warnings);
+    const scene::Scene scene = loadScene(file, &warnings, outside);
     print_warnings(warnings);
     stated_truth(scene);
     try {
@@ -131,39 +134,37 @@ const SweepPoint* shown_point(const SweepSeries& s) {
 
 void print_order(const OrderRow& row) {
   if (row.exact) {
-    fmt::print("  order of {:<20} exact here\n", row.integrator);
+    say("  order of {:<20} exact here\n", row.integrator);
     return;
   }
   const ObservedOrder& o = row.observed;
-  fmt::print(
-      "  order of {:<20} {:>2}: {:>7.3f} over {} halvings in {}, errors {:.1e} to {:.1e}, floor {}{}\n",
+  say("  order of {:<20} {:>2}: {:>7.3f} over {} halvings in {}, errors {:.1e} to {:.1e}, floor {}{}\n",
       row.integrator, row.promised, o.order, o.halvings, row.scalar, o.halvings ? row.errors[o.first] : 0.0,
       o.halvings ? row.errors[o.first + std::size_t(o.halvings)] : 0.0,
       o.floor ? fmt::format("{:.0e}", *o.floor) : "not reached", o.settled ? "" : "; not settled");
 }
 
 void print_scene(const SceneSweep& s) {
-  fmt::print("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
-             s.closed           ? ", a closed form"
-             : s.series.empty() ? ""
-                                : ", which agree to " + errors_text(s.disagreement));
-  for (const LeftOut& l : s.left_out) fmt::print("  {} cannot run it: {}\n", l.peer, l.why);
-  fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest",
-             fmt::format("µs per simulated s, {} error at most", leading_measure(s)), "energy, error 1e-3",
-             "momentum");
-  fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2",
-             "1e-4", "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
+  say("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
+      s.closed           ? ", a closed form"
+      : s.series.empty() ? ""
+                         : ", which agree to " + errors_text(s.disagreement));
+  for (const LeftOut& l : s.left_out) say("  {} cannot run it: {}\n", l.peer, l.why);
+  say("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest",
+      fmt::format("µs per simulated s, {} error at most", leading_measure(s)), "energy, error 1e-3",
+      "momentum");
+  say("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2", "1e-4",
+      "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
   for (const SweepSeries& series : s.series) {
     const SweepPoint* p = shown_point(series);
-    fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {}  {}\n",
-               series.subject == "liecheck" ? series.integrator : series.subject + " " + series.integrator,
-               error_text(series.smallest) + (series.at_floor || std::isinf(series.smallest) ? "" : "+"),
-               time_at(series, 1e-2), time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8),
-               time_at(series, 1e-10), drift_text(p ? p->energy : Drift()),
-               drift_text(p ? p->momentum : Drift()));
+    say("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {}  {}\n",
+        series.subject == "liecheck" ? series.integrator : series.subject + " " + series.integrator,
+        error_text(series.smallest) + (series.at_floor || std::isinf(series.smallest) ? "" : "+"),
+        time_at(series, 1e-2), time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8),
+        time_at(series, 1e-10), drift_text(p ? p->energy : Drift()), drift_text(p ? p->momentum : Drift()));
     for (const SweepPoint& point : series.points)
       if (!point.diverged.empty()) {
-        fmt::print("  {:<30}with {} steps: {}\n", "", point.effort.steps, point.diverged);
+        say("  {:<30}with {} steps: {}\n", "", point.effort.steps, point.diverged);
         break;
       }
   }
@@ -172,60 +173,56 @@ void print_scene(const SceneSweep& s) {
 
 void print_spins(const SceneSweepResult& r) {
   if (!r.spins.empty()) {
-    fmt::print(
-        "\na triaxial torque-free body, {} turns: attitude error; limit: turns * 2 pi eps = {:.1e} rad\n",
+    say("\na triaxial torque-free body, {} turns: attitude error; limit: turns * 2 pi eps = {:.1e} rad\n",
         r.spins[0].turns, r.spins[0].limit);
     for (const LongSpin& s : r.spins)
-      fmt::print("  {:<10} order {:>2}, {:>4} steps a turn: {:.2e} rad, {:>7.2f} x the limit, {:.2f} s\n",
-                 s.integrator, s.order, s.steps_per_turn, s.error, s.error / s.limit, s.seconds);
+      say("  {:<10} order {:>2}, {:>4} steps a turn: {:.2e} rad, {:>7.2f} x the limit, {:.2f} s\n",
+          s.integrator, s.order, s.steps_per_turn, s.error, s.error / s.limit, s.seconds);
   }
   if (r.flips.empty()) return;
-  fmt::print(
-      "\nDzhanibekov's body, omega0 = (d, 1, d) rad/s: relative error of the times of its flips by "
+  say("\nDzhanibekov's body, omega0 = (d, 1, d) rad/s: relative error of the times of its flips by "
       "gauss12\n");
   for (const Flips& f : r.flips) {
-    fmt::print("  d = {:<6.0e} {:<9}", f.perturbation, f.scalar);
-    for (double e : f.relative) fmt::print(" {:>8}", std::isinf(e) ? "lost" : fmt::format("{:.1e}", e));
-    fmt::print("  right to 1e-6: {} of {}, until {:.1f} s\n", f.predicted, f.relative.size(), f.horizon);
+    say("  d = {:<6.0e} {:<9}", f.perturbation, f.scalar);
+    for (double e : f.relative) say(" {:>8}", std::isinf(e) ? "lost" : fmt::format("{:.1e}", e));
+    say("  right to 1e-6: {} of {}, until {:.1f} s\n", f.predicted, f.relative.size(), f.horizon);
   }
 }
 
 void print_peers(const SceneSweepResult& r) {
   if (r.peers.empty()) return;
-  fmt::print(
-      "\nother simulators: liecheck's time over theirs, at an error that is no larger, by each measure of "
+  say("\nother simulators: liecheck's time over theirs, at an error that is no larger, by each measure of "
       "the error: the\n"
       "  largest ratio of all their points, with the 95 % confidence interval, and the number of points at "
       "which liecheck\n"
       "  is behind\n");
   for (const PeerComparison& c : r.peers)
-    fmt::print("  {:<20} {:<28}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
-               c.ours.empty()
-                   ? ""
-                   : fmt::format("{:>6.3f} [{:.3f}, {:.3f}] at {:.1e} by {}, behind at {} of {}{}", c.ratio,
-                                 c.low, c.high, c.error, c.ours, c.behind, c.points, c.unmatched ? "; " : ""),
-               c.unmatched ? "one of its points is more accurate than all of ours" : "");
+    say("  {:<20} {:<28}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
+        c.ours.empty()
+            ? ""
+            : fmt::format("{:>6.3f} [{:.3f}, {:.3f}] at {:.1e} by {}, behind at {} of {}{}", c.ratio, c.low,
+                          c.high, c.error, c.ours, c.behind, c.points, c.unmatched ? "; " : ""),
+        c.unmatched ? "one of its points is more accurate than all of ours" : "");
 }
 
 void print_scene_sweep(const SceneSweepResult& r) {
-  fmt::print(
-      "error: the largest error of the attitude [rad] at the ends of the four quarters of the duration, or\n"
+  say("error: the largest error of the attitude [rad] at the ends of the four quarters of the duration, or\n"
       "  of the position [m] if nothing rotates. + means that a smaller step would reduce it.\n"
       "time: time of the fastest run with at most this error [microseconds per simulated second].\n"
       "drift: slope of the least-squares line and largest distance from it, relative to the start.\n");
-  for (const std::string& name : absent_peers()) fmt::print("{}: absent from this build\n", name);
+  for (const std::string& name : absent_peers()) say("{}: absent from this build\n", name);
   for (const SceneSweep& s : r.scenes) print_scene(s);
   print_spins(r);
   print_peers(r);
-  fmt::print("\n{} scenes in {:.1f} s{}\n", r.scenes.size(), r.elapsed,
-             r.complete ? "" : "; interrupted: only what was done");
-  for (const std::string& line : r.wrong) fmt::print("wrong order: {}\n", line);
+  say("\n{} scenes in {:.1f} s{}\n", r.scenes.size(), r.elapsed,
+      r.complete ? "" : "; interrupted: only what was done");
+  for (const std::string& line : r.wrong) say("wrong order: {}\n", line);
 }
 
 SceneSweepResult swept(const Flags& f) {
   SceneSweepOptions options = options_of(f);
   options.stop = &stop_requested;
-  const std::vector<Benchmark> scenes = scenes_of(f.files);
+  const std::vector<Benchmark> scenes = scenes_of(f.files, f.outside);
   stop_on_signals();
   Progress progress("scene sweep");
   options.progress = [&](double share, const std::string& what) { progress.show(share, what); };
@@ -263,6 +260,7 @@ Command scene_sweep_command(CLI::App& scene) {
       "Exit code 0; 1 if an order is wrong; 2 for bad input; 3 if stopped or if every run of a scene "
       "diverges");
   a.list("FILE", a->files, "SCENE", "scenes; default the built-in ones, and long spins");
+  a.outside(a->outside);
   a.list("--integrator", a->options.integrators, "NAME", "an integrator, repeatable; default all");
   a.numbers("--steps", a->options.steps, 4, 1u << 30,
             "steps over the whole duration, multiples of 4, repeatable; default: doubled until rounding "

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <subjects/typed.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -184,14 +185,13 @@ class Bench {
 };
 
 void print(const SpeedBench& b) {
-  fmt::print("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");
-  for (const auto& [name, rate] : b.rates) fmt::print("{:<40}{:>14.0f}\n", name, rate);
+  say("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");
+  for (const auto& [name, rate] : b.rates) say("{:<40}{:>14.0f}\n", name, rate);
   if (!b.complete) {
-    fmt::print("\ninterrupted: the best of the rounds that were done\n");
+    say("\ninterrupted: the best of the rounds that were done\n");
     return;
   }
-  fmt::print(
-      "\nall laws together, except those of trees: {:.0f} cases/s; those of trees: {:.0f} cases/s; "
+  say("\nall laws together, except those of trees: {:.0f} cases/s; those of trees: {:.0f} cases/s; "
       "exp6: {:.1f} times rc::check; 2 jobs: {:.2f} times 1 job\n",
       b.all_laws, b.tree_laws, b.exp6_over_rapidcheck, b.two_jobs_over_one);
 }
@@ -203,8 +203,7 @@ int run(const Flags& f) {
   const SpeedBench b = bench.result();
   do_both([&] { write_record_of(f.json, b); }, [&] { print(b); });
   if (b.falsified)
-    fmt::print("rc::check found exp6 beyond its budget {} times: the rates of exp6 mean nothing\n",
-               b.falsified);
+    say("rc::check found exp6 beyond its budget {} times: the rates of exp6 mean nothing\n", b.falsified);
   return !b.complete ? incomplete : b.falsified ? property_failed : within_budget;
 }
 

@@ -7,6 +7,7 @@
 #include <results/coefficients.hpp>
 #include <stdexcept>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
 
@@ -42,33 +43,31 @@ std::string bound_or_error(const SweepResult& r, const SweptCoefficient& c) {
 }
 
 void print_rows(const SweepResult& r) {
-  fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15}{:>11}{:>9}  {}\n", "coefficient", "error", "floats",
-             r.upper_bound() ? "bound [eps]" : "found [eps]", "at", "", "documented", "square", "status");
+  say("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15}{:>11}{:>9}  {}\n", "coefficient", "error", "floats",
+      r.upper_bound() ? "bound [eps]" : "found [eps]", "at", "", "documented", "square", "status");
   for (const SweptCoefficient& c : r.coefficients)
-    fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15.9g}{:>11}{:>9}  {}\n", c.claim->name, error_kind(c),
-               c.evaluated, bound_or_error(r, c), fmt::format("{:a}", c.max_at), c.max_at,
-               c.claim->documented_eps, c.square_eps > 0 ? fmt::format("{:.3f}", c.square_eps) : "-",
-               status_of(r, c));
+    say("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15.9g}{:>11}{:>9}  {}\n", c.claim->name, error_kind(c),
+        c.evaluated, bound_or_error(r, c), fmt::format("{:a}", c.max_at), c.max_at, c.claim->documented_eps,
+        c.square_eps > 0 ? fmt::format("{:.3f}", c.square_eps) : "-", status_of(r, c));
 }
 
 void print_summary(const SweepResult& r) {
   double oracle = 0;
   for (const SweptCoefficient& c : r.coefficients) oracle = std::max(oracle, c.oracle_bound_eps);
   if (r.upper_bound())
-    fmt::print(
-        "\nbound: an upper bound of the error in float over every argument, including the oracle's own error "
+    say("\nbound: an upper bound of the error in float over every argument, including the oracle's own error "
         "of at most {:.1e} eps\n",
         oracle);
   else
-    fmt::print("\nfound: {}, a lower bound of the maximum\n",
-               r.complete ? fmt::format("the largest error at every {}th float", r.stride)
-                          : "interrupted, the largest error so far");
-  fmt::print("square: error due to the rounding of x = theta^2, to first order [eps]\n{} in {:.1f} s\n",
-             r.failed()        ? "verdict fail: a documented bound is wrong"
-             : !r.complete     ? "verdict incomplete"
-             : r.upper_bound() ? "verdict pass"
-                               : "verdict pass: no documented bound refuted",
-             r.elapsed);
+    say("\nfound: {}, a lower bound of the maximum\n",
+        r.complete ? fmt::format("the largest error at every {}th float", r.stride)
+                   : "interrupted, the largest error so far");
+  say("square: error due to the rounding of x = theta^2, to first order [eps]\n{} in {:.1f} s\n",
+      r.failed()        ? "verdict fail: a documented bound is wrong"
+      : !r.complete     ? "verdict incomplete"
+      : r.upper_bound() ? "verdict pass"
+                        : "verdict pass: no documented bound refuted",
+      r.elapsed);
 }
 
 std::array<double, 3> axis(const std::string& text) {
@@ -91,17 +90,17 @@ int run_slices(const Flags& f) {
   stop_on_signals();
   const std::vector<Slice> slices = sweep_slices(options);
   nlohmann::json rows = nlohmann::json::array();
-  fmt::print("{:<24}{:<17}{:<34}{:>11}{:>10}{:>8}  {:<16}{}\n", "operation", "block", "axis", "angles",
-             "max eps", "limit", "at theta", "");
+  say("{:<24}{:<17}{:<34}{:>11}{:>10}{:>8}  {:<16}{}\n", "operation", "block", "axis", "angles", "max eps",
+      "limit", "at theta", "");
   bool failed = false, complete = true;
   for (const Slice& s : slices) {
     failed |= s.failed(), complete &= s.complete;
-    fmt::print("{:<24}{:<17}{:<34}{:>11}{:>10.4f}{:>8}  {:<16}{}\n", s.operation, s.block,
-               fmt::format("{:.7g}, {:.7g}, {:.7g}", s.axis[0], s.axis[1], s.axis[2]), s.evaluated, s.max_eps,
-               s.limit, fmt::format("{:a}", s.max_at),
-               s.failed()   ? "FAIL"
-               : s.complete ? "pass"
-                            : "incomplete");
+    say("{:<24}{:<17}{:<34}{:>11}{:>10.4f}{:>8}  {:<16}{}\n", s.operation, s.block,
+        fmt::format("{:.7g}, {:.7g}, {:.7g}", s.axis[0], s.axis[1], s.axis[2]), s.evaluated, s.max_eps,
+        s.limit, fmt::format("{:a}", s.max_at),
+        s.failed()   ? "FAIL"
+        : s.complete ? "pass"
+                     : "incomplete");
     rows.push_back({{"operation", s.operation},
                     {"block", s.block},
                     {"axis", s.axis},
@@ -112,8 +111,7 @@ int run_slices(const Flags& f) {
                     {"limit", s.limit},
                     {"complete", s.complete && f.stride == 1}});
   }
-  fmt::print(
-      "\n{}: phi = theta n rounded to float, for every {}theta in [0, pi]; rho is a random unit vector\n",
+  say("\n{}: phi = theta n rounded to float, for every {}theta in [0, pi]; rho is a random unit vector\n",
       complete && f.stride == 1 ? "certain maxima of these slices" : "lower bounds",
       f.stride == 1 ? "" : fmt::format("{}th ", f.stride));
   if (!f.json.empty())

@@ -9,6 +9,7 @@
 #include <results/bench.hpp>
 #include <subjects/subject.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 #include "lab_commands.hpp"
@@ -103,13 +104,12 @@ int run(const Flags& f) {
   const WireBench b = measured(f);
   do_both([&] { write_record_of(f.json, b); },
           [&] {
-            fmt::print("exp6 in double, {} {}\n{:>10}  {:>7}  {:<11}  {}\n", f.jobs,
-                       f.jobs == 1 ? "job" : "jobs", "cases/s", "ratio", "all rounds", "called");
+            say("exp6 in double, {} {}\n{:>10}  {:>7}  {:<11}  {}\n", f.jobs, f.jobs == 1 ? "job" : "jobs",
+                "cases/s", "ratio", "all rounds", "called");
             for (const WireBench::Row& r : b.rows)
-              fmt::print("{:>10.0f}  {:>7.2f}  {:.2f} - {:.2f}  {}\n", r.rate, r.ratio, r.least, r.most,
-                         r.name);
-            if (b.failed) fmt::print("{} results failed: their rates mean nothing\n", b.failed);
-            if (!b.complete) fmt::print("stopped: of the rounds that were done\n");
+              say("{:>10.0f}  {:>7.2f}  {:.2f} - {:.2f}  {}\n", r.rate, r.ratio, r.least, r.most, r.name);
+            if (b.failed) say("{} results failed: their rates mean nothing\n", b.failed);
+            if (!b.complete) say("stopped: of the rounds that were done\n");
           });
   return !b.complete ? incomplete : b.failed ? property_failed : within_budget;
 }

@@ -16,6 +16,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
+#include <support/markdown.hpp>
 #include <support/own_process.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
@@ -75,7 +77,7 @@ std::string line_of(const std::string& text, const std::string& name) {
   const auto at = text.find("  " + name + " ");
   if (at == text.npos) return "";
   const auto from = text.find_first_not_of(' ', at + 2 + name.size());
-  return text.substr(from, text.find('\n', from) - from);
+  return from == text.npos ? "" : text.substr(from, text.find('\n', from) - from);
 }
 
 struct Output {
@@ -211,16 +213,16 @@ std::string repaired(const json& record, const json& library, const json& cell, 
       replay_of(line_of(cell["failure"]["text"], "replay"), (*form)["name"], (*form)["adapter"]);
   const std::string program = program_in("\n" + text, operation);
   if (program.empty()) return all;
-  const fs::path file = stem.string() + "_repaired" + suffix((*form)["language"]);
+  const fs::path file =
+      file_in(stem.parent_path(), stem.filename().string() + "_repaired" + suffix((*form)["language"]));
   const Output out = run_program(*form, file, program);
   if (out.code != 0) return all;
   return all + fmt::format(
-                   "\n```\n{}```\n\nRun as `{}`, on the same input:\n\n```\n{}{}```\n\nOn the cases of this "
+                   "\n{}\nRun as `{}`, on the same input:\n\n{}\nOn the cases of this "
                    "league, in "
                    "{}, it errs {}; {} itself {}. Both times are those of calls through an adapter.\n",
-                   program, commands(*form, file).second, out.text, out.text.ends_with('\n') ? "" : "\n",
-                   scalar, figures(*cell_in(*form, operation, scalar)), library["name"].get<std::string>(),
-                   figures(cell));
+                   markdown_block(program), commands(*form, file).second, markdown_block(out.text), scalar,
+                   figures(*cell_in(*form, operation, scalar)), markdown(library["name"]), figures(cell));
 }
 
 /// What the failure of a cell says of its error: the digits that the input shown loses, or the outcome.
@@ -233,8 +235,8 @@ std::string shown_error(const json& failure) {
 std::string where_it_fails(const json& cell) {
   const json& f = cell["failure"];
   const std::string where = f["where"];
-  return fmt::format("in {}{}: {} of {} cases {}fail", cell["scalar"].get<std::string>(),
-                     where == "everywhere" ? "" : ", at " + where, f["failed"].get<std::uint64_t>(),
+  return fmt::format("in {}{}: {} of {} cases {}fail", markdown(cell["scalar"]),
+                     where == "everywhere" ? "" : ", at " + markdown(where), f["failed"].get<std::uint64_t>(),
                      f["cases"].get<std::uint64_t>(), where == "everywhere" ? "" : "there ");
 }
 /// The text of a failure up to its program, without the inputs of the law that the function does not take, and with the
@@ -275,22 +277,21 @@ std::string finding(const json& record, const json& library, const json& cell, c
                     const std::string& output, const fs::path& file) {
   const json& f = cell["failure"];
   const std::string text = f["text"], operation = cell["operation"], guess = f["guess"];
-  std::string all = fmt::format("# {} {}: {}, {}\n\n", library["name"].get<std::string>(),
-                                library["version"].get<std::string>(), operation, shown_error(f));
+  std::string all = fmt::format("# {} {}: {}, {}\n\n", markdown(library["name"]),
+                                markdown(library["version"]), markdown(operation), markdown(shown_error(f)));
   all += "This fails " + where_it_fails(cell) + ".";
   if (const json* const other = cell_in(library, operation, "float");
       other && other != &cell && (*other)["failure"].is_object())
     all += " It also fails " + where_it_fails(*other) + ".";
-  all += fmt::format(
-      "\n\n## Program\n\n```\n{}```\n\nRun as `{}`, it prints what the library does:\n\n```\n{}{}```\n\n",
-      program, commands(library, file).second, output, output.ends_with('\n') ? "" : "\n");
-  all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", shown_case(text));
+  all += fmt::format("\n\n## Program\n\n{}\nRun as `{}`, it prints what the library does:\n\n{}\n",
+                     markdown_block(program), commands(library, file).second, markdown_block(output));
+  all += fmt::format("## Input, expected and returned\n\n{}\n", markdown_block(shown_case(text)));
   all += fmt::format(
       "Where the expected numbers come from: {}. A case in which two sources do not agree to 41 digits is "
       "*unresolved* and no finding.\n\n",
       oracles_of(operation));
   if (!guess.empty())
-    all += fmt::format("## Why\n\nThe shape of the error over the angle says: {}.\n\n", guess);
+    all += fmt::format("## Why\n\nThe shape of the error over the angle says: {}.\n\n", markdown(guess));
   return all + repaired(record, library, cell, file.parent_path() / file.stem());
 }
 
@@ -316,11 +317,9 @@ std::vector<double> numbers_in(const std::string& text) {
 
 Confirmed write_findings(const json& record, const Trust& trust, const std::string& folder) {
   check_commands(record, trust);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", folder, error.message()));
+  make_folder("--out", folder);
   Confirmed all;
+  std::set<std::string> stems;  // of the files that this call writes
   for (const json& library : record["libraries"])
     for (const json& cell : library["cells"]) {
       if (stop_requested) return all;
@@ -343,15 +342,18 @@ Confirmed write_findings(const json& record, const Trust& trust, const std::stri
             "its adapter prints another program for this case, or none; --run-recorded runs the record's");
         continue;
       }
-      const fs::path file = fs::path(folder) / (file_name(name) + suffix(library["language"]));
+      std::string stem = file_name(name);  // of two names that differ in other characters, too
+      while (!stems.insert(stem).second) stem += "_";
+      stems.insert(stem + "_repaired");
+      const fs::path file = file_in(folder, stem + suffix(library["language"])),
+                     page = file_in(folder, stem + ".md");
       const Output out = run_program(library, file, program);
       if (out.code != 0 || !confirms(out.text, returned_in(text), scalar == "float")) {
         left_out(out.code ? "its program ends with an error"
                           : "its program prints other numbers than the adapter returned");
         continue;
       }
-      write_whole(fs::path(folder) / (file_name(name) + ".md"),
-                  finding(record, library, cell, program, out.text, file));
+      write_whole(page, finding(record, library, cell, program, out.text, file));
       ++all.written;
       all.text += fmt::format("{}: {}, {}\n", name, shown_error(cell["failure"]), where_it_fails(cell));
     }

@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <support/files.hpp>
-#include <support/json.hpp>
+#include <support/markdown.hpp>
+#include <support/read_json.hpp>
 #include <support/text.hpp>
 #include <tuple>
 
@@ -68,7 +68,7 @@ const json* library_of(const json& record, const json& name) {
 
 /// "F (12 cases without a right result)" or "B (812 eps)"
 std::string standing(const json& cell) {
-  return fmt::format("{} ({})", cell["grade"].get<std::string>(),
+  return fmt::format("{} ({})", markdown(cell["grade"]),
                      cell["grade"] == "F" ? "NaN, wrong branch or no result"
                                           : fmt::format("{:.3g} eps", value(cell["worst_eps"])));
 }
@@ -84,6 +84,8 @@ class RecordCheck {
       texts(library, "a library", {"name", "version", "language", "adapter", "run"});
       const std::string name = printable(library["name"]);
       lists(library, name, {"cells"});
+      if (library.contains("repaired"))
+        need(library, name, "repaired", "true or false", [](const json& x) { return x.is_boolean(); });
       for (const json& c : library["cells"]) cell(c, name);
     }
   }
@@ -92,13 +94,14 @@ class RecordCheck {
   void cell(const json& c, const std::string& library) const {
     texts(c, "a cell of " + library, {"operation", "scalar", "grade"});
     const std::string name = fmt::format("{} of {}", printable(c["operation"]), library);
-    lists(c, name, {"bands"}), numbers(c, name, {"ns", "cases"}), member(c, name, "worst_eps");
+    lists(c, name, {"bands"}), numbers(c, name, {"ns"}), counts(c, name, {"cases"}),
+        member(c, name, "worst_eps");
     need(c, name, "failure", "object", [](const json& x) { return x.is_object() || x.is_null(); });
     for (const json& band : c["bands"])
-      texts(band, name, {"axis", "band"}), numbers(band, name, {"low", "high", "bad"}),
+      texts(band, name, {"axis", "band"}), numbers(band, name, {"low", "high"}), counts(band, name, {"bad"}),
           member(band, name, "eps");
     if (const json& failure = c["failure"]; failure.is_object())
-      texts(failure, name, {"what", "where", "guess", "text"}), numbers(failure, name, {"failed", "cases"});
+      texts(failure, name, {"what", "where", "guess", "text"}), counts(failure, name, {"failed", "cases"});
   }
   using Names = std::initializer_list<const char*>;
   void texts(const json& of, const std::string& where, Names names) const {
@@ -106,6 +109,10 @@ class RecordCheck {
   }
   void numbers(const json& of, const std::string& where, Names names) const {
     for (const char* n : names) need(of, where, n, "number", [](const json& x) { return x.is_number(); });
+  }
+  void counts(const json& of, const std::string& where, Names names) const {
+    for (const char* n : names)
+      need(of, where, n, "count", [](const json& x) { return x.is_number_unsigned(); });
   }
   void lists(const json& of, const std::string& where, Names names) const {
     for (const char* n : names) need(of, where, n, "list", [](const json& x) { return x.is_array(); });
@@ -132,25 +139,19 @@ std::string built_in_roster() {
 
 std::vector<Entry> read_roster(const std::string& file) {
   std::vector<Entry> all;
-  try {
-    for (const json& e : parsed(read_whole(file)))
+  const json list = read_json(file);
+  members_of(file, "list of adapters", [&] {
+    for (const json& e : list)
       all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
                      e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
                      e.value("limits", "")});
-  } catch (const json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: is not a list of adapters: {}", file, e.what()));
-  }
+  });
   return all;
 }
 
 json read_league(const std::string& file) {
-  json record;
-  try {
-    record = parsed(read_whole(file));
-  } catch (const json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: is not JSON: {}", file, e.what()));
-  }
-  if (!record.is_object() || record.value("league", 0) != 1 || !record.contains("libraries"))
+  json record = read_json(file);
+  if (!record.is_object() || record.value("league", json()) != 1 || !record.contains("libraries"))
     throw std::invalid_argument(
         fmt::format("{}: is no record of the league, which `liecheck lab league --record` writes", file));
   RecordCheck(file).record(record);
@@ -171,19 +172,19 @@ std::vector<Answer> answers(const json& record, const std::string& question) {
 }
 
 std::string changes(const json& before, const json& after) {
-  std::string text = fmt::format("# What changed between {} and {}\n\n", before["date"].get<std::string>(),
-                                 after["date"].get<std::string>());
+  std::string text =
+      fmt::format("# What changed between {} and {}\n\n", markdown(before["date"]), markdown(after["date"]));
   for (const json& library : after["libraries"]) {
     const json* const old = library_of(before, library["name"]);
-    const std::string name = library["name"], version = library["version"];
+    const std::string name = markdown(library["name"]), version = markdown(library["version"]);
     if (!old) {
       text += fmt::format("## {} {}\n\nThe earlier record does not have it.\n\n", name, version);
       continue;
     }
     std::string lines;
     for (const json& cell : library["cells"]) {
-      const std::string what = fmt::format("- {} in {}: ", cell["operation"].get<std::string>(),
-                                           cell["scalar"].get<std::string>());
+      const std::string what =
+          fmt::format("- {} in {}: ", markdown(cell["operation"]), markdown(cell["scalar"]));
       const json* const was = cell_of(*old, cell);
       if (!was)
         lines += what + "newly offered, " + standing(cell) + "\n";
@@ -195,9 +196,9 @@ std::string changes(const json& before, const json& after) {
     }
     for (const json& cell : (*old)["cells"])
       if (!cell_of(library, cell))
-        lines += fmt::format("- {} in {}: no longer offered\n", cell["operation"].get<std::string>(),
-                             cell["scalar"].get<std::string>());
-    const std::string was = (*old)["version"];
+        lines += fmt::format("- {} in {}: no longer offered\n", markdown(cell["operation"]),
+                             markdown(cell["scalar"]));
+    const std::string was = markdown((*old)["version"]);
     if (was != version || !lines.empty())
       text += fmt::format(
           "## {} {} → {}\n\n{}\n", name, was, version,
@@ -205,8 +206,7 @@ std::string changes(const json& before, const json& after) {
   }
   for (const json& library : before["libraries"])
     if (!library_of(after, library["name"]))
-      text +=
-          fmt::format("## {}\n\nThe later record does not have it.\n\n", library["name"].get<std::string>());
+      text += fmt::format("## {}\n\nThe later record does not have it.\n\n", markdown(library["name"]));
   if (text.find("## ") == text.npos) text += "Nothing.\n";
   return text;
 }

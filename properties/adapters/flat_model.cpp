@@ -3,6 +3,7 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <support/json.hpp>
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -33,7 +34,7 @@ liecheck_body body_of(const nlohmann::json& b) {
 }  // namespace
 
 FlatModel::FlatModel(std::string_view text) {
-  const nlohmann::json j = nlohmann::json::parse(text);
+  const nlohmann::json j = parsed(text);
   read(j.at("gravity"), model_.gravity);
   model_.nq = j.at("nq"), model_.nv = j.at("nv");
   if (j.contains("urdf")) {

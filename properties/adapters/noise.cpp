@@ -17,7 +17,7 @@ std::map<std::string, int> failures;  ///< by "subject: operation: how"
 int lines = 0;
 
 void say(const std::string& line) {
-  std::fputs((line + "\n").c_str(), stderr);
+  std::fputs((printable(line) + "\n").c_str(), stderr);
 }
 
 std::string last_line(const std::string& text) {
@@ -34,7 +34,7 @@ void say_failed(const std::string& subject, std::string_view operation, const st
   const std::lock_guard lock(mutex);
   const std::string kind = fmt::format("{}: {}: {}", subject, operation, how);
   if (++failures[kind] > 1) return;
-  const std::string last = printable(last_line(errors));
+  const std::string last = last_line(errors);
   say(last.empty() ? kind : fmt::format("{}; its last words: {}", kind, last.substr(0, 200)));
 }
 

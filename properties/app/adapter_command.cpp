@@ -4,6 +4,7 @@
 #include <adapters/subjects.hpp>
 #include <app/command.hpp>
 #include <stdexcept>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -16,24 +17,24 @@ struct AdapterCheckFlags {
 int check(const AdapterCheckFlags& f) try {
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
-  fmt::print("{} {}: {} functions\n", d.name, d.version, d.offered.size());
+  say("{} {}: {} functions\n", d.name, d.version, d.offered.size());
   const adapters::Checked all = adapters::check(*adapter);
   std::size_t wrong = 0;
   for (const adapters::CheckedOperation& o : all.operations) {
-    fmt::print("{:<32}{:<8}{}\n", o.operation, o.scalar, o.complaint.empty() ? "agrees" : o.complaint);
+    say("{:<32}{:<8}{}\n", o.operation, o.scalar, o.complaint.empty() ? "agrees" : o.complaint);
     wrong += !o.complaint.empty();
   }
   for (const auto& [operation, scalar] : d.offered)
     if (!adapters::is_operation(operation)) {
-      fmt::print("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
+      say("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
       ++wrong;
     }
-  for (const conventions::Finding& f : all.findings) fmt::print("{}\n", f.sentence);
-  fmt::print("{}\n", d.offered.empty() ? "it offers nothing"
-                     : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
-                             : fmt::format("every function agrees with its definition to {:g} at moderate "
-                                           "angles; 'liecheck campaign' measures its accuracy",
-                                           conventions::probe_tolerance));
+  for (const conventions::Finding& f : all.findings) say("{}\n", f.sentence);
+  say("{}\n", d.offered.empty() ? "it offers nothing"
+              : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
+                                : fmt::format("every function agrees with its definition to {:g} at moderate "
+                                                        "angles; 'liecheck campaign' measures its accuracy",
+                                              conventions::probe_tolerance));
   return wrong || d.offered.empty() ? property_failed : within_budget;
 } catch (const adapters::AdapterFailed& e) {
   throw std::invalid_argument(fmt::format("'{}': {}", f.adapter, e.what()));

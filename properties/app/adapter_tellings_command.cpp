@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 #include <adapters/subjects.hpp>
 #include <app/command.hpp>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
+#include <support/say.hpp>
 #include <tellings/cells.hpp>
 
 namespace liecheck::properties {
@@ -27,28 +28,26 @@ int tell(const AdapterTellingsFlags& f) {
   const Robot robot = f.robot.read();
   const std::string subject = f.adapter.empty() ? "liecheck" : adapters::register_adapter(f.adapter);
   if (!f.out.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(f.out, error);
-    if (error)
-      throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", f.out, error.message()));
-    for (const league::Telling& t : league::tellings(robot))
-      write_whole(std::filesystem::path(f.out) / (t.name + ".urdf"), t.urdf);
+    make_folder("--out", f.out);
+    const auto all = league::tellings(robot);
+    for (const league::Telling& t : all) file_in(f.out, t.name + ".urdf");
+    for (const league::Telling& t : all) write_whole(file_in(f.out, t.name + ".urdf"), t.urdf);
   }
   bool any = false;
   std::string details;
-  fmt::print("{:<22}{:<7}{:>12}{:>8}{:>8}  {:<10}{}\n", "telling", "grade", "worst [eps]", "cases", "failed",
-             "reader", "what it tells otherwise");
+  say("{:<22}{:<7}{:>12}{:>8}{:>8}  {:<10}{}\n", "telling", "grade", "worst [eps]", "cases", "failed",
+      "reader", "what it tells otherwise");
   for (const auto& [telling, cell] : league::measure_tellings(subject, robot, f.options)) {
     const bool wrong = differs(cell);
     any = any || wrong;
-    fmt::print("{:<22}{:<7}{:>12}{:>8}{:>8}  {:<10}{}\n", telling.name, cell["grade"].get<std::string>(),
-               cell["worst_eps"].is_number() ? fmt::format("{:.3g}", cell["worst_eps"].get<double>()) : "inf",
-               cell["cases"].get<std::uint64_t>(), cell["failed"].get<std::uint64_t>(),
-               wrong ? "DIFFERS" : "agrees", telling.how);
+    say("{:<22}{:<7}{:>12}{:>8}{:>8}  {:<10}{}\n", telling.name, cell["grade"].get<std::string>(),
+        cell["worst_eps"].is_number() ? fmt::format("{:.3g}", cell["worst_eps"].get<double>()) : "inf",
+        cell["cases"].get<std::uint64_t>(), cell["failed"].get<std::uint64_t>(), wrong ? "DIFFERS" : "agrees",
+        telling.how);
     if (wrong && cell["failure"].is_object())
       details += fmt::format("\n{}: {}\n", telling.name, cell["failure"]["text"].get<std::string>());
   }
-  if (f.all) fmt::print("{}", details);
+  if (f.all) say("{}", details);
   return any ? property_failed : within_budget;
 }
 

@@ -17,6 +17,7 @@
 #include <set>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/terminal.hpp>
 #include <support/text.hpp>
@@ -37,14 +38,14 @@ struct CampaignFlags {
 
 /// Prints every class and band of one series, each with the output that was measured least in it.
 void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint64_t cases) {
-  fmt::print("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
+  say("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
   for (const Covered& c : all)
-    fmt::print("  {:<44}{:>10}  {:>8.4f} %  {}{}\n", c.what, c.count,
-               100.0 * static_cast<double>(c.count) / static_cast<double>(std::max<std::uint64_t>(1, cases)),
-               c.output,
-               c.missing()  ? "  NOT COVERED"
-               : c.required ? ""
-                            : "  not required in so few cases");
+    say("  {:<44}{:>10}  {:>8.4f} %  {}{}\n", c.what, c.count,
+        100.0 * static_cast<double>(c.count) / static_cast<double>(std::max<std::uint64_t>(1, cases)),
+        c.output,
+        c.missing()  ? "  NOT COVERED"
+        : c.required ? ""
+                     : "  not required in so few cases");
 }
 
 /// For each property, prints the coverage of its least covered series or, if verbose, of every series.
@@ -55,8 +56,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     std::string series, line;
   };
   std::map<std::string, Least> least;
-  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "",
-             "of the classes and bands that each output must be measured in");
+  say("\n{:<24}{:<20}{}\n", "coverage", "", "of the classes and bands that each output must be measured in");
   for (const auto& [series, tally] : r.series) {
     const auto all = coverage_of(*series, tally);
     const std::uint64_t cases = tally.coverage.cases();
@@ -69,7 +69,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
       l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, tally)};
     if (verbose) print_coverage(*series, all, cases);
   }
-  for (const auto& [property, l] : least) fmt::print("{:<23} {:<19} {}\n", property, l.series, l.line);
+  for (const auto& [property, l] : least) say("{:<23} {:<19} {}\n", property, l.series, l.line);
 }
 
 /// What a replay of its cases needs after the ID.
@@ -118,13 +118,12 @@ void print_cliffs(const CampaignResult& r) {
   for (const auto& [series, tally] : r.series)
     for (const Cliff& c : cliffs_of(*series, tally)) {
       const Row& row = tally.rows.at({static_cast<int>(c.output), static_cast<int>(c.band)});
-      fmt::print("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
-                 c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
-                 series->scalar, series->id(r.options.seed, row.worst_index).text(),
-                 flags_of(*series, r.robot));
+      say("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
+          c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
+          series->scalar, series->id(r.options.seed, row.worst_index).text(), flags_of(*series, r.robot));
       before = "";
     }
-  for (const Expectation& e : expectations_of(r)) fmt::print("{}{}\n", std::exchange(before, ""), text_of(e));
+  for (const Expectation& e : expectations_of(r)) say("{}{}\n", std::exchange(before, ""), text_of(e));
 }
 
 /// Prints what the series did not measure, at most six lines of each unless `all`.
@@ -133,13 +132,13 @@ void print_not_measured(const CampaignResult& r, bool all) {
     const auto lines = not_measured(*series, tally);
     if (lines.empty()) continue;
     const std::size_t shown = all ? lines.size() : 6;
-    fmt::print("\nNOT MEASURED  {} of {} in {}\n", series->property, series->subject, series->scalar);
-    for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i) fmt::print("  {}\n", lines[i]);
-    if (lines.size() > shown) fmt::print("  and {} more: --all prints them\n", lines.size() - shown);
+    say("\nNOT MEASURED  {} of {} in {}\n", series->property, series->subject, series->scalar);
+    for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i) say("  {}\n", lines[i]);
+    if (lines.size() > shown) say("  and {} more: --all prints them\n", lines.size() - shown);
     for (const auto& [cell, row] : tally.rows)
       if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
-        fmt::print("  for example  liecheck replay {}{}\n",
-                   series->id(r.options.seed, row.worst_index).text(), flags_of(*series, r.robot));
+        say("  for example  liecheck replay {}{}\n", series->id(r.options.seed, row.worst_index).text(),
+            flags_of(*series, r.robot));
         break;
       }
   }
@@ -150,10 +149,9 @@ void print_oracles(const CampaignResult& r) {
   for (const auto& [series, tally] : r.series) {
     fast += tally.fast, checked += tally.checked, disagreed += tally.disagreed.size();
     for (const std::uint64_t index : tally.disagreed)
-      fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
+      say("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
-  fmt::print(
-      "\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the others; {} "
+  say("\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the others; {} "
       "cases of ball arithmetic were measured again with 50 and 100 digits, {} disagree\n",
       r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
       disagreed);
@@ -181,33 +179,31 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
 
 /// Prints the table, the failures and the coverage. Returns the verdict's exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
-  fmt::print("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
-             "status");
+  say("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
-  fmt::print(
-      "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
+  say("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   print_failures(r, f.all);
   print_cliffs(r);
   print_not_measured(r, f.all);
   print_oracles(r);
   print_coverage(r, f.verbose);
-  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
-             printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
+  say("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
+      printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
   std::set<std::string> limits;
   for (const auto& [series, tally] : r.series) {
     if (series->profile != Profile::ours)
       limits.insert(fmt::format("profile of {}: {}\n", series->subject, name_of(series->profile)));
     if (series->own)
-      limits.insert(fmt::format("limits of {}: {} ({})\n", series->subject, printable(series->own->file),
-                                hash_of(*series->own)));
+      limits.insert(
+          fmt::format("limits of {}: {} ({})\n", series->subject, series->own->file, hash_of(*series->own)));
   }
-  fmt::print("{}", fmt::join(limits, ""));
-  fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
+  say("{}", fmt::join(limits, ""));
+  say("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
   const int code = code_of(r, hard_cases);
   fmt::print("{}\n", coloured(code == within_budget     ? Colour::green
                               : code == property_failed ? Colour::red
                                                         : Colour::yellow,
-                              verdict_line(r, hard_cases)));
+                              printable(verdict_line(r, hard_cases))));
   return code;
 }
 
@@ -219,7 +215,7 @@ std::vector<HardRow> replay_hard_cases(const CampaignFlags& f, const Selection& 
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
   const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
   print_hard_case_summary(rows, f.all);
-  fmt::print("\n");
+  say("\n");
   std::fflush(stdout);
   return rows;
 }

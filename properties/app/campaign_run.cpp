@@ -8,6 +8,7 @@
 #include <store/merge.hpp>
 #include <store/ranks.hpp>
 #include <store/store_path.hpp>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -49,8 +50,7 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
   o.quiet = o.quiet || me > 0;
   const std::string file = rank_file(f.store, me, n);
   const auto how_to_resume = [&] {
-    if (me == 0)
-      fmt::print("to resume:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
+    if (me == 0) say("to resume:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
     std::fflush(stdout);
   };
   std::optional<StoredRun> run;
@@ -135,21 +135,21 @@ std::optional<StoredRun> run_stored_campaign(const Selection& selection, const R
 void print_counterexamples(const Counterexamples& c, bool all) {
   if (c.replayed + c.skipped == 0) return;
   const std::size_t shown = all ? c.failing.size() : 6;
-  fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} skipped\n", c.replayed,
-             c.failing.size(), c.skipped);
+  say("counterexamples of earlier runs: {} replayed, {} still fail, {} skipped\n", c.replayed,
+      c.failing.size(), c.skipped);
   for (std::size_t i = 0; i < std::min(shown, c.failing.size()); ++i)
-    fmt::print("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
-  if (c.failing.size() > shown) fmt::print("  and {} more: --all prints them\n", c.failing.size() - shown);
-  fmt::print("\n");
+    say("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
+  if (c.failing.size() > shown) say("  and {} more: --all prints them\n", c.failing.size() - shown);
+  say("\n");
 }
 
 void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
   const bool ranks = r.options.shards > 1 && f.shard.empty();  // the first rank has printed how to resume
   if (!r.incomplete || ranks) return;
   if (f.store.empty())
-    fmt::print("interrupted: no case was saved; --store FILE saves them\n");
+    say("interrupted: no case was saved; --store FILE saves them\n");
   else
-    fmt::print("to resume:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
+    say("to resume:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
 }
 
 }  // namespace liecheck::properties

@@ -15,6 +15,7 @@
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 #include <thread>
 
 namespace liecheck::properties {
@@ -137,7 +138,7 @@ void stop_on_signals() {
 }
 
 void warn(const std::string& lines) {
-  std::fputs(lines.c_str(), stderr);
+  std::fputs(printable_lines(lines).c_str(), stderr);
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {

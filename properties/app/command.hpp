@@ -81,6 +81,8 @@ class Arguments {
 
   Flag seed(std::uint64_t& target, const std::string& help);
   Flag jobs(unsigned& target);
+  /// --read-outside, of the commands that read scenes.
+  Flag outside(std::vector<std::string>& target);
   /// --json. Before the command runs, throws if its file cannot be written.
   Flag json(std::string& target, const std::string& help);
 
@@ -200,7 +202,6 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 CostResult run_cost(CostOptions options);
 /// Adds the subjects of adapters, and those of liecheck beside them if no other subject was selected.
 void add_subjects(CostOptions& options, const std::vector<std::string>& adapters);
-
 
 // A command is added to a program or to a group of commands, such as "scene".
 

@@ -11,6 +11,7 @@
 #include <store/store_path.hpp>
 #include <store/times.hpp>
 #include <support/files.hpp>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -39,8 +40,8 @@ bool print_if_partial(const std::string& name, const StoredCampaign& c) {
 /// Prints what differs between two versions of the rules.
 int compare_rules(const CompareFlags& f) {
   const auto lines = differences(rules_named(f.before), rules_named(f.after));
-  for (const std::string& line : lines) fmt::print("{}\n", line);
-  fmt::print("rules {} and {}: {} differences\n", f.before, f.after, lines.size());
+  for (const std::string& line : lines) say("{}\n", line);
+  say("rules {} and {}: {} differences\n", f.before, f.after, lines.size());
   return lines.empty() ? within_budget : property_failed;
 }
 
@@ -63,10 +64,10 @@ nlohmann::json record_of(const std::vector<Change>& changes) {
 void print_changes(const std::vector<Change>& changes) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const Change& c = changes[i];
-    fmt::print("{}\n", c.text());
+    say("{}\n", c.text());
     const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
     std::istringstream replay(last ? replay_of(c) : "");
-    for (std::string line; std::getline(replay, line);) fmt::print("  {}\n", line);
+    for (std::string line; std::getline(replay, line);) say("  {}\n", line);
   }
 }
 
@@ -82,7 +83,7 @@ int run(const CompareFlags& f) {
   bool partial = print_if_partial(f.before, a);
   partial = print_if_partial(f.after, b) || partial;
   if (cells_in_both(a, b) == 0) {
-    fmt::print(stderr, "liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after);
+    warn(fmt::format("liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after));
     partial = true;
   }
   const auto got_worse = changes(a, b);
@@ -96,12 +97,12 @@ int run(const CompareFlags& f) {
                           {"worse", record_of(got_worse)},
                           {"better", record_of(changes(b, a))}});
   print_changes(got_worse);
-  if (times) fmt::print("{}", text_of(*times));
+  if (times) say("{}", text_of(*times));
   std::set<std::array<std::string, 6>> cells;
   for (const Change& c : got_worse) cells.insert(c.name);
-  fmt::print("{} worse\n", cells.empty()       ? "nothing is"
-                           : cells.size() == 1 ? "1 cell is"
-                                               : fmt::format("{} cells are", cells.size()));
+  say("{} worse\n", cells.empty()       ? "nothing is"
+                    : cells.size() == 1 ? "1 cell is"
+                                        : fmt::format("{} cells are", cells.size()));
   return !got_worse.empty() ? property_failed : partial ? incomplete : within_budget;
 }
 

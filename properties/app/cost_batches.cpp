@@ -3,6 +3,7 @@
 #include <app/cost_batches.hpp>
 #include <cstdio>
 #include <stdexcept>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <timing/batch_bench.hpp>
 
@@ -17,26 +18,25 @@ int run_batches(const BatchFlags& f, const std::vector<std::string>& operations)
           fmt::format("--op: unknown operation '{}'; there are: {}", name, fmt::join(all, ", ")));
   options.threads = int(f.threads), options.seconds = f.seconds;
   stop_on_signals();
-  fmt::print("ns per column, median of {} rounds, +- half the distance of the quartiles; {} thread{}\n",
-             options.rounds, f.threads, f.threads == 1 ? "" : "s");
-  fmt::print(
-      "copy: as many bytes read and written as by the operation; /loop: times faster than the loop; "
+  say("ns per column, median of {} rounds, +- half the distance of the quartiles; {} thread{}\n",
+      options.rounds, f.threads, f.threads == 1 ? "" : "s");
+  say("copy: as many bytes read and written as by the operation; /loop: times faster than the loop; "
       "/copy: time over that of the copy\n\n");
-  fmt::print("{:<18}{:<7}{:>8}{:>14}{:>14}", "operation", "scalar", "columns", "loop", "copy");
+  say("{:<18}{:<7}{:>8}{:>14}{:>14}", "operation", "scalar", "columns", "loop", "copy");
   for (const auto& [name, instructions] : supportedInstructions()) {
     options.instructions.push_back(instructions);
-    fmt::print("{:>16}{:>7}{:>7}", name, "/loop", "/copy");
+    say("{:>16}{:>7}{:>7}", name, "/loop", "/copy");
   }
-  fmt::print("\n");
+  say("\n");
   time_batches(options, [](const BatchRow& row) {
     const auto time = [](const BatchTime& t) {
       return fmt::format("{:.2f} +-{:.0f}%", t.median, 100 * t.spread);
     };
-    fmt::print("{:<18}{:<7}{:>8}{:>14}{:>14}", row.operation, row.scalar, row.columns, time(row.loop),
-               time(row.copy));
+    say("{:<18}{:<7}{:>8}{:>14}{:>14}", row.operation, row.scalar, row.columns, time(row.loop),
+        time(row.copy));
     for (const BatchTime& t : row.batch)
-      fmt::print("{:>16}{:>7.1f}{:>7.2f}", time(t), row.loop.median / t.median, t.median / row.copy.median);
-    fmt::print("\n");
+      say("{:>16}{:>7.1f}{:>7.2f}", time(t), row.loop.median / t.median, t.median / row.copy.median);
+    say("\n");
     std::fflush(stdout);
   });
   return stop_requested ? incomplete : within_budget;

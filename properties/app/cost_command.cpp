@@ -9,6 +9,7 @@
 #include <support/environment.hpp>
 #include <support/own_process.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <timing/cost.hpp>
 
@@ -34,17 +35,16 @@ std::string ratio_text(const Ratio& r) {
 
 void print_row(const CostRow& row, double reference_ns, const std::string& dominator) {
   const CostSet& all = row.sets.back();
-  fmt::print("{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}", row.subject, row.scalar, ratio_text(all.latency),
-             all.latency.processes ? number_text(all.latency.median * reference_ns) : "-",
-             ratio_text(all.throughput),
-             all.instructions > 0 ? fmt::format("{:.0f}", all.instructions) : "-");
+  say("{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}", row.subject, row.scalar, ratio_text(all.latency),
+      all.latency.processes ? number_text(all.latency.median * reference_ns) : "-",
+      ratio_text(all.throughput), all.instructions > 0 ? fmt::format("{:.0f}", all.instructions) : "-");
   const std::string worst = worst_block(row);
   for (const BlockErrors& b : all.blocks)
     if (b.block == worst)
-      fmt::print("{:>10}{:>10.3g}{:>10.3g}  {:<18}{}",
-                 std::isinf(error_of(row)) ? "no result" : fmt::format("{:.3g}", b.largest()),
-                 b.quantile(0.99), b.quantile(0.5), worst, dominator);
-  fmt::print("\n");
+      say("{:>10}{:>10.3g}{:>10.3g}  {:<18}{}",
+          std::isinf(error_of(row)) ? "no result" : fmt::format("{:.3g}", b.largest()), b.quantile(0.99),
+          b.quantile(0.5), worst, dominator);
+  say("\n");
 }
 
 void print_rows(const CostResult& r) {
@@ -53,9 +53,8 @@ void print_rows(const CostResult& r) {
   for (std::size_t i = 0; i < r.rows.size(); ++i) {
     if (r.rows[i].operation != operation) {
       operation = r.rows[i].operation;
-      fmt::print("\n{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "",
-                 "latency", "[ns]", "throughput", "instr.", "max", "p99", "median", "block [eps]",
-                 "dominated by");
+      say("\n{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "", "latency",
+          "[ns]", "throughput", "instr.", "max", "p99", "median", "block [eps]", "dominated by");
     }
     print_row(r.rows[i], r.machine.reference_ns,
               by[i] < 0 ? "" : implementation_of(r.rows[static_cast<std::size_t>(by[i])]));
@@ -63,8 +62,7 @@ void print_rows(const CostResult& r) {
 }
 
 void print_header(const CostResult& r) {
-  fmt::print(
-      "{}\n"
+  say("{}\n"
       "latency, throughput: processor time of a call in times of a reference loop, {:.4g} ns: the median\n"
       "  of {} processes, and its spread from run to run. The row call is the shortest operation of the\n"
       "  signature. Its time is not subtracted.\n"
@@ -134,7 +132,7 @@ int run(const CostFlags& f) {
     const SilentOutput library;
     const std::string times = times_in_this_process(options);
     library.end();
-    fmt::print("{}", times);
+    say("{}", times);
     return within_budget;
   }
   stop_on_signals();
@@ -143,8 +141,8 @@ int run(const CostFlags& f) {
           [&] {
             print_header(r);
             print_rows(r);
-            fmt::print("\n{} rows in {:.1f} s, seed {}; {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
-                       steadiness(r.machine), r.complete ? "" : "; interrupted: only what was done");
+            say("\n{} rows in {:.1f} s, seed {}; {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
+                steadiness(r.machine), r.complete ? "" : "; interrupted: only what was done");
           });
   return r.complete ? within_budget : incomplete;
 }

@@ -14,6 +14,7 @@
 #include <support/files.hpp>
 #include <support/json_number.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -57,14 +58,13 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 }
 
 void print_header() {
-  fmt::print("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12}{:>8}  {}\n", "subject", "environment", "checks",
-             "same bits", "verdicts", "worse", "of limit", "digits", "of");
+  say("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12}{:>8}  {}\n", "subject", "environment", "checks", "same bits",
+      "verdicts", "worse", "of limit", "digits", "of");
 }
 
 void print_row(const std::string& subject, const std::string& name, const std::string& of, const Figures& f) {
-  fmt::print("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12.3g}{:>8.1f}  {}\n", subject, name, f.cases,
-             share(f.same_calls, f.calls), share(f.same_verdicts, f.cases), f.worse, f.of_limit,
-             f.digits_lost, of);
+  say("{:<18} {:<17}{:>7}{:>11}{:>11}{:>8}{:>12.3g}{:>8.1f}  {}\n", subject, name, f.cases,
+      share(f.same_calls, f.calls), share(f.same_verdicts, f.cases), f.worse, f.of_limit, f.digits_lost, of);
 }
 
 json json_of(const Figures& f) {
@@ -117,8 +117,7 @@ class Run {
   }
 
   int all() {
-    fmt::print(
-        "{}\nThis program rounds to nearest and keeps subnormal numbers; subjects are compared with {}.\n\n",
+    say("{}\nThis program rounds to nearest and keeps subnormal numbers; subjects are compared with {}.\n\n",
         environment_line(), "its own build of them");
     print_header();
     for (Tested& t : subjects_) {
@@ -127,15 +126,14 @@ class Run {
     }
     for (const Environment& e : environments_)
       if (const std::string why = missing(e); !why.empty()) {
-        fmt::print("absent: {} ({}): {}\n", e.name, e.what, why);
+        say("absent: {} ({}): {}\n", e.name, e.what, why);
         absent_.push_back({{"environment", e.name}, {"what", e.what}, {"why", why}});
         complete_ = complete_ && flags_.only.empty();  // it was asked for
       }
-    for (const std::string& line : lines_) fmt::print("{}\n", line);
+    for (const std::string& line : lines_) say("{}\n", line);
     const int code = stop_requested || !complete_ || rows_.empty() ? incomplete : within_budget;
     const int result = broken_ > 0 ? property_failed : code;
-    fmt::print(
-        "\n{}\n",
+    say("\n{}\n",
         result == property_failed
             ? fmt::format("{} of {} environments x subjects break what is expected of them", broken_,
                           measured_)

@@ -6,7 +6,9 @@
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
 #include <set>
+#include <support/say.hpp>
 #include <support/terminal.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -36,18 +38,18 @@ void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
     what = std::max(what, l.what.size()), where = std::max(where, l.where.size()),
     how = std::max(how, l.how.size());
   for (const Line& l : all) {
-    const std::string happened = fmt::format("{:<{}}", l.how, how);
-    fmt::print("{:<{}}  {:<{}}  {}  {}\n", l.what, what, l.where, where,
-               &l == &all.front() ? happened : coloured(Colour::red, happened), l.seen);
-    if (!l.guess.empty()) fmt::print("    perhaps {}\n", l.guess);
+    const std::string happened = printable(fmt::format("{:<{}}", l.how, how));
+    fmt::print("{:<{}}  {:<{}}  {}  {}\n", printable(l.what), what, printable(l.where), where,
+               &l == &all.front() ? happened : coloured(Colour::red, happened), printable(l.seen));
+    if (!l.guess.empty()) say("    perhaps {}\n", l.guess);
   }
 }
 
 void print_in_full(const CampaignResult& r, const FailedBlock& f) {
   const BandOf& w = *f.worst;
-  fmt::print("\n{}", describe_failure(*w.series, r.options.seed, static_cast<int>(w.output),
-                                      static_cast<int>(w.band), *w.row, r.robot));
-  if (const std::string guess = guess_of(f); !guess.empty()) fmt::print("  perhaps   {}\n", guess);
+  say("\n{}", describe_failure(*w.series, r.options.seed, static_cast<int>(w.output),
+                               static_cast<int>(w.band), *w.row, r.robot));
+  if (const std::string guess = guess_of(f); !guess.empty()) say("  perhaps   {}\n", guess);
 }
 
 }  // namespace
@@ -56,11 +58,11 @@ void print_failures(const CampaignResult& r, bool all) {
   const auto failed = failed_blocks(r);
   if (failed.empty()) return;
   const std::size_t lines = all ? failed.size() : std::min(failed.size(), shown);
-  fmt::print("\n");
+  say("\n");
   print_table(failed, lines);
-  if (lines < failed.size()) fmt::print("{} more lines: --all prints them\n", failed.size() - lines);
+  if (lines < failed.size()) say("{} more lines: --all prints them\n", failed.size() - lines);
   for (std::size_t i = 0; i < (all ? failed.size() : 1); ++i) print_in_full(r, failed[i]);
-  if (!all && failed.size() > 1) fmt::print("\nThis is the worst one; --all prints each in full\n");
+  if (!all && failed.size() > 1) say("\nThis is the worst one; --all prints each in full\n");
 }
 
 }  // namespace liecheck::properties

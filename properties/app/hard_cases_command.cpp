@@ -4,13 +4,14 @@
 #include <app/command.hpp>
 #include <array>
 #include <failures/result.hpp>
-#include <filesystem>
 #include <hard_cases/hard_cases.hpp>
 #include <hard_cases/shared.hpp>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <tuple>
 
@@ -60,18 +61,16 @@ constexpr Verdict verdicts[] = {Verdict::stable,       Verdict::refused,    Verd
 
 void print_failure(const HardRow& r, const HardCell& c) {
   const HardCase& e = *r.entry;
-  fmt::print("\n{}  hard case {} ({}): {}\n", c.failed ? "FAILED" : "NO VERDICT", e.name, e.hard_class,
-             e.reason);
-  fmt::print("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
-  fmt::print("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
+  say("\n{}  hard case {} ({}): {}\n", c.failed ? "FAILED" : "NO VERDICT", e.name, e.hard_class, e.reason);
+  say("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
+  say("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
   if (c.verdict == Verdict::inaccurate)
-    fmt::print("  error     {:.4g} eps{}\n", c.error,
-               c.kappa > 0 ? fmt::format(", kappa {:.3g}", c.kappa) : "");
+    say("  error     {:.4g} eps{}\n", c.error, c.kappa > 0 ? fmt::format(", kappa {:.3g}", c.kappa) : "");
   else
-    fmt::print("  error     {}{}\n", name_of(c.verdict), c.refusal.empty() ? "" : ": " + c.refusal);
-  fmt::print("  budget    {:g} {}\n", c.budget, c.excess ? "eps kappa" : "eps");
-  fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
-  fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
+    say("  error     {}{}\n", name_of(c.verdict), c.refusal.empty() ? "" : ": " + c.refusal);
+  say("  budget    {:g} {}\n", c.budget, c.excess ? "eps kappa" : "eps");
+  say("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
+  say("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
 }
 
 /// What the limit is compared with.
@@ -114,14 +113,14 @@ void print_failures_by_block(const std::vector<HardRow>& rows) {
   for (const auto& [failed, row, worst] : all)
     lines.push_back({worst->operation + " " + worst->block, worst->subject + " in " + worst->scalar,
                      what(*worst), std::to_string(failed), row->entry->name});
-  fmt::print("\n");
+  say("\n");
   for (const auto& line : lines)
-    fmt::print("{:<34}  {:<24}  {:<26}{:>7}  {}\n", line[0], line[1], line[2], line[3], line[4]);
+    say("{:<34}  {:<24}  {:<26}{:>7}  {}\n", line[0], line[1], line[2], line[3], line[4]);
   print_failure(*all.front().row, *all.front().worst);
   std::set<std::string> subjects;
   for (const Group& g : all)
     subjects.insert(g.worst->flags.empty() ? " --subject " + g.worst->subject : g.worst->flags);
-  fmt::print("\nliecheck hard-cases{} prints each in full\n", fmt::join(subjects, ""));
+  say("\nliecheck hard-cases{} prints each in full\n", fmt::join(subjects, ""));
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.
@@ -137,25 +136,25 @@ void print_hard_case_table(const std::vector<HardRow>& rows) {
   }
   std::size_t i = 0;
   for (const Column& column : columns) {
-    fmt::print("{:>{}} {} in {}\n", i + 1, width + law + 2 * i + 1, column.subject, column.scalar);
+    say("{:>{}} {} in {}\n", i + 1, width + law + 2 * i + 1, column.subject, column.scalar);
     ++i;
   }
   for (const std::string& hard_class : classes) {
-    fmt::print("{}\n", hard_class);
+    say("{}\n", hard_class);
     for (const HardRow& r : rows) {
       if (r.entry->hard_class != hard_class) continue;
-      fmt::print("{:<{}}{:<{}}", "  " + r.entry->name, width, r.property, law);
+      say("{:<{}}{:<{}}", "  " + r.entry->name, width, r.property, law);
       for (const auto& [subject, rank, scalar] : columns) {
         const auto cell = std::find_if(r.cells.begin(), r.cells.end(), [&](const HardCell& c) {
           return c.subject == subject && c.scalar == scalar;
         });
-        fmt::print("{} ", cell == r.cells.end() ? '-' : letter_of(cell->verdict));
+        say("{} ", cell == r.cells.end() ? '-' : letter_of(cell->verdict));
       }
-      fmt::print("\n");
+      say("\n");
     }
   }
-  for (const Verdict v : verdicts) fmt::print("{} {}   ", letter_of(v), name_of(v));
-  fmt::print("- not offered, not for this scalar, or outside the domain\n\n");
+  for (const Verdict v : verdicts) say("{} {}   ", letter_of(v), name_of(v));
+  say("- not offered, not for this scalar, or outside the domain\n\n");
 }
 
 /// Writes the cases as JSON for other programs.
@@ -166,14 +165,14 @@ int share(const std::vector<HardCase>& cases, const std::string& folder) {
     std::fputs("interrupted: nothing was written\n", stderr);
     return incomplete;
   }
-  std::filesystem::create_directories(folder);
+  make_folder("--share", folder);
   std::size_t bytes = 0;
+  for (const auto& [operation, text] : corpus.files) file_in(folder, operation + ".json");
   for (const auto& [operation, text] : corpus.files) {
-    write_whole(std::filesystem::path(folder) / (operation + ".json"), text);
+    write_whole(file_in(folder, operation + ".json"), text);
     bytes += text.size();
   }
-  fmt::print(
-      "{} cases of {} operations, from {} hard cases, {} kB; {} without a result of the oracles are left "
+  say("{} cases of {} operations, from {} hard cases, {} kB; {} without a result of the oracles are left "
       "out\n",
       corpus.cases, corpus.files.size(), corpus.names, bytes / 1000, corpus.unresolved);
   return within_budget;
@@ -208,7 +207,7 @@ int run(const HardCasesFlags& f) {
 
 void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full) {
   if (rows.empty()) {
-    fmt::print("hard cases: the selected properties have none\n");
+    say("hard cases: the selected properties have none\n");
     return;
   }
   std::map<Column, std::map<Verdict, std::size_t>> counts;
@@ -217,15 +216,15 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full) {
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
       ++counts[column_of(c)][c.verdict], seen.insert(c.verdict), failures += c.failed || c.open;
-  fmt::print("{:<24} {:<8}{:>6}", "hard cases", "scalar", "cells");
-  for (const Verdict v : seen) fmt::print("  {:>12}", name_of(v));
-  fmt::print("\n");
+  say("{:<24} {:<8}{:>6}", "hard cases", "scalar", "cells");
+  for (const Verdict v : seen) say("  {:>12}", name_of(v));
+  say("\n");
   for (auto& [column, of] : counts) {
     std::size_t cells = 0;
     for (const auto& [verdict, n] : of) cells += n;
-    fmt::print("{:<24} {:<8}{:>6}", column.subject, column.scalar, cells);
-    for (const Verdict v : seen) fmt::print("  {:>12}", of[v]);
-    fmt::print("\n");
+    say("{:<24} {:<8}{:>6}", column.subject, column.scalar, cells);
+    for (const Verdict v : seen) say("  {:>12}", of[v]);
+    say("\n");
   }
   if (in_full) {
     for (const HardRow& r : rows)

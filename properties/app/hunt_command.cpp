@@ -10,6 +10,7 @@
 #include <set>
 #include <support/files.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -64,17 +65,17 @@ int both(int a, int b) {
 /// an evaluation has no verdict or no error could be measured.
 int print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
-  fmt::print("\n{}: {}, {}\n", series.property, o.operation, o.block);
+  say("\n{}: {}, {}\n", series.property, o.operation, o.block);
   bool failed = w.broken > 0;
   if (w.open)
-    fmt::print("  no verdict on {} of the evaluations\n  replay    liecheck replay {}{}\n", w.open,
-               w.first_open_id.text(), replay_flags);
+    say("  no verdict on {} of the evaluations\n  replay    liecheck replay {}{}\n", w.open,
+        w.first_open_id.text(), replay_flags);
   if (w.broken)
-    fmt::print("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
-               outcome_words[static_cast<int>(w.first_broken.residual.outcome)], w.first_broken_id.text(),
-               replay_flags);
+    say("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
+        outcome_words[static_cast<int>(w.first_broken.residual.outcome)], w.first_broken_id.text(),
+        replay_flags);
   if (w.score < 0) {
-    fmt::print("  worst     no error could be measured\n");
+    say("  worst     no error could be measured\n");
     return failed ? property_failed : incomplete;
   }
   const std::string band = series.bands()[w.judged.residual.band].name;
@@ -92,21 +93,20 @@ int print_worst(const Series& series, const Worst& w, const std::string& replay_
                           j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
     break;
   }
-  fmt::print("  worst     {:.4g} {}, a lower bound of the maximum; {}\n", w.score, unit, verdict);
-  fmt::print("  error     {:.4g} eps", w.judged.residual.error);
-  if (w.by_kappa) fmt::print(", kappa {:.3g}", w.judged.residual.kappa);
-  fmt::print(", band {}\n  found     at evaluation {}, half this error at {}\n", band, w.at, w.half_at);
-  fmt::print("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n",
-             fmt::join(w.decimal, ", "), fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
+  say("  worst     {:.4g} {}, a lower bound of the maximum; {}\n", w.score, unit, verdict);
+  say("  error     {:.4g} eps", w.judged.residual.error);
+  if (w.by_kappa) say(", kappa {:.3g}", w.judged.residual.kappa);
+  say(", band {}\n  found     at evaluation {}, half this error at {}\n", band, w.at, w.half_at);
+  say("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n", fmt::join(w.decimal, ", "),
+      fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
   return failed ? property_failed : w.open ? incomplete : within_budget;
 }
 
 void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t evaluations) {
   if (random.score < 0)
-    fmt::print("  random    nothing measured in {} uniform samples\n", evaluations);
+    say("  random    nothing measured in {} uniform samples\n", evaluations);
   else
-    fmt::print(
-        "  random    {:.4g} in {} uniform samples (angles on [0, pi], any axis): hunted / random = {:.3g}\n",
+    say("  random    {:.4g} in {} uniform samples (angles on [0, pi], any axis): hunted / random = {:.3g}\n",
         random.score, evaluations, hunted.score / random.score);
 }
 
@@ -191,9 +191,8 @@ int hunt_on(const Series& series, HuntOptions options, const HuntFlags& f, const
     options.random = true;
     random = search("random");
   }
-  fmt::print("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation,
-             series.subject, series.subject_version, series.scalar, options.seed, hunted.evaluations,
-             hunted.elapsed);
+  say("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation, series.subject,
+      series.subject_version, series.scalar, options.seed, hunted.evaluations, hunted.elapsed);
   const std::string origin = fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
                                          series.subject, options.operation, options.seed, hunted.evaluations);
   int code = within_budget;
@@ -221,12 +220,12 @@ int run(const HuntFlags& f) {
   int code = within_budget;
   const auto search = [&] {
     for (std::size_t k = 0; k < all.size() && !(k > 0 && stop_requested); ++k) {
-      if (k > 0) fmt::print("\n");
+      if (k > 0) say("\n");
       code = both(code, hunt_on(*all[k], options, f, robot_flag, corpus));
     }
   };
   do_both(search, [&] { corpus.close(); });  // lines of the corpus survive the loss of the output
-  if (stop_requested) fmt::print("\ninterrupted: these are the worst cases so far\n");
+  if (stop_requested) say("\ninterrupted: these are the worst cases so far\n");
   return stop_requested ? incomplete : code;
 }
 

@@ -15,8 +15,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <support/files.hpp>
-#include <support/json.hpp>
+#include <support/read_json.hpp>
 #include <support/stop.hpp>
 #include <system_error>
 
@@ -112,7 +111,7 @@ nlohmann::json record_of_lab(std::vector<std::string> words, const std::string& 
   }
   nlohmann::json record;
   if (fs::exists(file)) {
-    record = parsed(read_whole(file));
+    record = read_json(file);
     fs::remove(file);
   }
   return record;

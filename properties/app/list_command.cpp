@@ -7,22 +7,22 @@
 #include <rules/rules.hpp>
 #include <set>
 #include <subjects/other_libraries.hpp>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
 namespace {
 
 void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
-  fmt::print("subjects\n");
+  say("subjects\n");
   for (const std::string& name : subject_names()) {
     std::set<std::string> scalars;
     std::string version;
     for (const auto& s : all)
       if (s->subject == name) scalars.insert(s->scalar), version = s->subject_version;
-    if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
+    if (!scalars.empty()) say("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
-  fmt::print(
-      "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
+  say("  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
       "  of the laboratory (liecheck-lab), run only if named:\n"
       "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck lab bugs'\n"
       "  history:NAME, history:NAME:fixed: bugs of real libraries, of 'liecheck lab history'\n"
@@ -30,17 +30,17 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
 }
 
 void print_absent() {
-  fmt::print("absent from this build\n");
-  for (const std::string& name : absent_subjects()) fmt::print("  {:<12}{}\n", name, how_to_get(name));
+  say("absent from this build\n");
+  for (const std::string& name : absent_subjects()) say("  {:<12}{}\n", name, how_to_get(name));
 }
 
 /// Prints each operation with the blocks in which its error is measured.
 void print_operations() {
-  fmt::print("operations and their blocks; --operations describes them\n");
+  say("operations and their blocks; --operations describes them\n");
   for (const Operation* o : all_operations()) {
     std::vector<std::string_view> blocks;
     for (const Block& b : o->blocks) blocks.push_back(b.name.text);
-    fmt::print("  {:<32}{}\n", o->name, fmt::join(blocks, ", "));
+    say("  {:<32}{}\n", o->name, fmt::join(blocks, ", "));
   }
 }
 
@@ -52,11 +52,11 @@ struct ListFlags {
 
 int run(const ListFlags& f) {
   if (f.operations) {
-    fmt::print("{}", operations_table());
+    say("{}", operations_table());
     return within_budget;
   }
   if (!f.rules.empty() && !f.laws) {
-    fmt::print("{}", rules_named(f.rules).text());
+    say("{}", rules_named(f.rules).text());
     return within_budget;
   }
   Selection selection{f.adapters.start(), {}, {}};
@@ -66,15 +66,15 @@ int run(const ListFlags& f) {
     print_subjects(all);
     print_absent();
     print_operations();
-    fmt::print("properties\n");
+    say("properties\n");
   }
   std::set<std::string> seen;
   for (const auto& s : all) {
     if (!seen.insert(s->property).second) continue;
     if (f.laws)
-      fmt::print("{}\n", s->property);
+      say("{}\n", s->property);
     else
-      fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
+      say("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
   }
   return within_budget;
 }

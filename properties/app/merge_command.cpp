@@ -4,6 +4,7 @@
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -35,8 +36,8 @@ int run(const MergeFlags& f) {
   const StoredCampaign c = load_campaign(f.out);
   const std::string open = lacking(c, f.out);
   const bool complete = c.complete() && open.empty();
-  fmt::print("{}: cases {}..{} of {} series, {}{}{}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
-             complete ? "complete" : "incomplete", open.empty() ? "" : ": ", open);
+  say("{}: cases {}..{} of {} series, {}{}{}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
+      complete ? "complete" : "incomplete", open.empty() ? "" : ": ", open);
   return complete ? within_budget : incomplete;
 }
 

@@ -197,6 +197,11 @@ Flag Arguments::jobs(unsigned& target) {
   return number("-j,--jobs", target, 1, 1024, "number of threads; the digests do not depend on it");
 }
 
+Flag Arguments::outside(std::vector<std::string>& target) {
+  return list("--read-outside", target, "DIR",
+              "also let the scene name files in this folder, beside those in its own, repeatable");
+}
+
 Flag Arguments::json(std::string& target, const std::string& help) {
   json_ = &target;
   return text("--json", target, "FILE", help);

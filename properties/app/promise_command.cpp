@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -118,7 +119,7 @@ int run(const PromiseFlags& f) {
       subject, in, broken, broken.empty() ? "" : "\n", limit_lines(needs, slack, from));
   const SubjectLimits written = parse_limits(f.out, text);
   write_whole(f.out, text);
-  fmt::print("{}{}: {} limits of {} in {}\n", broken, f.out, written.lines.size(), from, in);
+  say("{}{}: {} limits of {} in {}\n", broken, f.out, written.lines.size(), from, in);
   return broken.empty() ? within_budget : property_failed;
 }
 

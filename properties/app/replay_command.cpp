@@ -9,6 +9,7 @@
 #include <hard_cases/attempt.hpp>
 #include <memory>
 #include <stdexcept>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -49,14 +50,13 @@ void print_judged(const Series& series, const Judged& j) {
           ? fmt::format("{:>12.5g} eps  {:<22}{}", j.residual.error, fmt::format("{:a}", j.residual.error),
                         j.residual.kappa > 0 ? fmt::format(" kappa {:.3g}", j.residual.kappa) : "")
           : std::string(outcome_words[static_cast<int>(outcome)]);
-  fmt::print("{:<26}{:<22}{:<24}{:<55} {}\n", o.operation, o.block, series.bands()[j.residual.band].name,
-             error,
-             fails(series, j)                     ? "FAIL"
-             : j.failed                           ? "expected failure"
-             : leaves_open(outcome)               ? "no verdict"
-             : outcome == Outcome::outside_domain ? "not judged"
-             : j.ill_posed                        ? "ill-posed"
-                                                  : "pass");
+  say("{:<26}{:<22}{:<24}{:<55} {}\n", o.operation, o.block, series.bands()[j.residual.band].name, error,
+      fails(series, j)                     ? "FAIL"
+      : j.failed                           ? "expected failure"
+      : leaves_open(outcome)               ? "no verdict"
+      : outcome == Outcome::outside_domain ? "not judged"
+      : j.ill_posed                        ? "ill-posed"
+                                           : "pass");
 }
 
 /// What was returned beside what is right, for each output that failed, or for all if none did.
@@ -65,7 +65,7 @@ void print_results(const Series& series, const CaseId& id, const Trial& trial) {
   for (const Judged& j : trial.judged) {
     if (any && !j.failed) continue;
     const Output& o = series.outputs.at(j.residual.output);
-    fmt::print("\n{}, block {}\n{}", o.operation, o.block, case_text(series, id, trial.input, j));
+    say("\n{}, block {}\n{}", o.operation, o.block, case_text(series, id, trial.input, j));
   }
 }
 
@@ -74,11 +74,11 @@ int run(const ReplayFlags& f) {
   f.adapters.start();
   const auto series = series_of(id, f.id, f.robot.read(), f.limits);
   const Trial trial = attempt(*series, id);
-  fmt::print("{}: {}\n  law       {}\n  subject   {} {} in {}\n{}\n", series->property, series->law,
-             series->equation, series->subject, series->subject_version, series->scalar,
-             input_text(*series, trial.input));
+  say("{}: {}\n  law       {}\n  subject   {} {} in {}\n{}\n", series->property, series->law,
+      series->equation, series->subject, series->subject_version, series->scalar,
+      input_text(*series, trial.input));
   bool failed = false, open = false, decided = false;
-  if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
+  if (!trial.refusal.empty()) say("refused: {}\n", trial.refusal);
   for (const Judged& j : trial.judged) {
     open = open || leaves_open(j.residual.outcome);
     decided = decided || !j.ill_posed;
@@ -88,7 +88,7 @@ int run(const ReplayFlags& f) {
   }
   print_results(*series, id, trial);
   if (!failed && (open || !decided))
-    fmt::print("incomplete: {}\n", open ? "no verdict on every output" : "nothing was measured");
+    say("incomplete: {}\n", open ? "no verdict on every output" : "nothing was measured");
   return failed ? property_failed : open || !decided ? incomplete : within_budget;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <adapters/subjects.hpp>
+#include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
 #include <app/lab.hpp>
@@ -13,7 +14,10 @@
 #include <stdexcept>
 #include <store/store_path.hpp>
 #include <support/files.hpp>
+#include <support/folder.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 #include <timing/cost.hpp>
 #include <timing/kernels.hpp>
 
@@ -43,13 +47,6 @@ std::vector<std::string> libraries_of(const std::vector<std::string>& given) {
   return libraries;
 }
 
-void create_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", folder, error.message()));
-}
-
 /// The files of the records. If one is a store, its record is written into `folder`.
 std::vector<fs::path> record_files(const std::vector<std::string>& records, const std::string& folder) {
   std::vector<fs::path> all;
@@ -60,10 +57,13 @@ std::vector<fs::path> record_files(const std::vector<std::string>& records, cons
       continue;
     }
     const StoredRun run = result_of(load_campaign(record), record);
-    create_folder(folder);
-    std::string name = fs::path(record).stem().string();
-    while (!names.insert(name).second) name += "_";
-    all.push_back(fs::path(folder) / (name + ".json"));
+    make_folder("--out", folder);
+    std::string name = file_name(fs::path(record).stem().string());
+    const auto is_record = [&](const std::string& other) {
+      return same_file(other, (fs::path(folder) / (name + ".json")).string());
+    };
+    while (std::ranges::any_of(records, is_record) || !names.insert(name).second) name += "_";
+    all.push_back(file_in(folder, name + ".json"));
     write_record(all.back(), full_record_of(run));
   }
   return all;
@@ -90,8 +90,8 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   }
   const bool timed = !f.no_cost && (everything || !f.selection.subjects.empty() || !times.adapters.empty());
   stop_on_signals();
-  create_folder(f.out);
-  const fs::path file = fs::path(f.out) / "campaign.json";
+  make_folder("--out", f.out);
+  const fs::path file = file_in(f.out, "campaign.json");
   check_writable(file);
   const auto hard_cases = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   const StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
@@ -108,7 +108,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   };
   const bool lab = !lab_program().empty();
   const auto measured_in_lab = [&](const char* key, const std::vector<std::string>& arguments) {
-    const nlohmann::json part = record_of_lab(arguments, (fs::path(f.out) / key).string() + ".json");
+    const nlohmann::json part = record_of_lab(arguments, file_in(f.out, std::string(key) + ".json").string());
     if (part.is_null() && !stop_requested)
       warn(fmt::format("the report has no part '{}': liecheck-lab ended without a record of it\n", key));
     add_part(record, key, part);
@@ -148,7 +148,7 @@ int run(const ReportFlags& f) {
   if (records.empty()) records.push_back(run_campaign_of_report(f));
   const bool interrupted = stop_requested;  // a signal that comes later interrupts nothing
   const auto files = reports::write_report(records, f.out);
-  fmt::print("{}\n", fs::absolute(files.html).string());
+  say("{}\n", fs::absolute(files.html).string());
   return interrupted ? incomplete : within_budget;
 }
 

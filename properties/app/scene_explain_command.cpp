@@ -4,6 +4,7 @@
 #include <liecheck/scene_file/scene_file.hpp>
 #include <scenes/stated_truth.hpp>
 #include <stdexcept>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -32,31 +33,32 @@ const char* what_moves(scene::SystemKind kind) {
 
 struct SceneExplainFlags {
   std::string file;
+  std::vector<std::string> outside;
 };
 
 int run(const SceneExplainFlags& f) {
   std::vector<std::string> warnings;
-  const scene::Scene scene = loadScene(f.file, &warnings);
+  const scene::Scene scene = loadScene(f.file, &warnings, f.outside);
   print_warnings(warnings);
   stated_truth(scene);
   const scene::Plan plan = measured_plan(scene);
-  fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
+  say("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   const bool adaptive = scene::methodInfo(scene.integrator).adaptive;
-  fmt::print("{} of nq {}, nv {}; {} {} of {:g} s by {}, sampled {} times\n\n", what_moves(plan.kind),
-             scene.model.nq, scene.model.nv, scene.span.steps, adaptive ? "intervals" : "steps",
-             scene.span.duration / double(scene.span.steps), scene.integrator,
-             (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
-  fmt::print("evaluations of the acceleration in {}: {:g}, counted over the first ones\n\n",
-             adaptive ? "an interval" : "a step", plan.evaluations);
-  fmt::print("{:<38} {:<11} {:>12} {:>9}  {}\n", "stage", "each", "instructions", "ns", "because");
+  say("{} of nq {}, nv {}; {} {} of {:g} s by {}, sampled {} times\n\n", what_moves(plan.kind),
+      scene.model.nq, scene.model.nv, scene.span.steps, adaptive ? "intervals" : "steps",
+      scene.span.duration / double(scene.span.steps), scene.integrator,
+      (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
+  say("evaluations of the acceleration in {}: {:g}, counted over the first ones\n\n",
+      adaptive ? "an interval" : "a step", plan.evaluations);
+  say("{:<38} {:<11} {:>12} {:>9}  {}\n", "stage", "each", "instructions", "ns", "because");
   for (const auto& s : plan.stages) {
-    fmt::print("{:<38} {:<11} {:>12} {:>9}  {}\n", s.name, s.when,
-               s.instructions ? fmt::format("{}", *s.instructions) : "not counted",
-               s.nanoseconds ? fmt::format("{:.1f}", *s.nanoseconds) : "-", s.why);
-    if (!s.equation.empty()) fmt::print("    {}\n", s.equation);
+    say("{:<38} {:<11} {:>12} {:>9}  {}\n", s.name, s.when,
+        s.instructions ? fmt::format("{}", *s.instructions) : "not counted",
+        s.nanoseconds ? fmt::format("{:.1f}", *s.nanoseconds) : "-", s.why);
+    if (!s.equation.empty()) say("    {}\n", s.equation);
   }
-  fmt::print("\n{:<38} {}\n", "left out", "because");
-  for (const auto& l : plan.left_out) fmt::print("{:<38} {}\n", l.name, l.why);
+  say("\n{:<38} {}\n", "left out", "because");
+  for (const auto& l : plan.left_out) say("{:<38} {}\n", l.name, l.why);
   return within_budget;
 }
 
@@ -68,6 +70,7 @@ Command scene_explain_command(CLI::App& scene) {
       "show the plan of a scene: stages, their times, and what was left out and why. Exit code 0; 2 for bad "
       "input");
   a.text("FILE", a->file, "SCENE", "the scene").required();
+  a.outside(a->outside);
   return a.runs(run);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
+#include <support/say.hpp>
 
 namespace liecheck::properties {
 
@@ -8,7 +9,7 @@ Command scene_keys_command(CLI::App& scene) {
   return Arguments(scene, "keys",
                    "list the keys of bodies, roots, starts, effects, actuations, integrators and observers")
       .command([] {
-        fmt::print("{}", sceneSchema());
+        say("{}", sceneSchema());
         return within_budget;
       });
 }

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <app/command.hpp>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <numbers>
@@ -8,7 +11,9 @@
 #include <scenes/stated_truth.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
 #include <support/progress.hpp>
+#include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -20,6 +25,7 @@ struct SceneRunFlags {
   std::string file;
   std::string csv, json;  ///< replace the files that the scene names
   std::string checkpoint, resume;
+  std::vector<std::string> outside;
   bool no_estimate = false;
 };
 
@@ -36,45 +42,44 @@ std::string csv_of(const scene::Run& run) {
 
 void print_figures(const scene::Scene& scene, const scene::Run& run) {
   const double h = scene.span.duration / double(scene.span.steps);
-  fmt::print("{}: {:g} s in {} {} of {:g} s by {}, {:.3g} s on one core\n", scene.name, run.outcome.t,
-             run.outcome.steps, scene::methodInfo(scene.integrator).adaptive ? "intervals" : "steps", h,
-             scene.integrator, run.seconds);
+  say("{}: {:g} s in {} {} of {:g} s by {}, {:.3g} s on one core\n", scene.name, run.outcome.t,
+      run.outcome.steps, scene::methodInfo(scene.integrator).adaptive ? "intervals" : "steps", h,
+      scene.integrator, run.seconds);
   if (run.counts.steps > 0)
-    fmt::print("  {} steps of the method, {} rejected, {} iterations\n", run.counts.steps,
-               run.counts.rejected, run.counts.iterations);
+    say("  {} steps of the method, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
+        run.counts.iterations);
   if (run.outcome.events > 0)
-    fmt::print("  events of contacts, limits or clamps that were located: {}\n", run.outcome.events);
+    say("  events of contacts, limits or clamps that were located: {}\n", run.outcome.events);
   if (run.outcome.phases.count > 0)
-    fmt::print("  shorter steps after events, where forces change within a step: {}, the shortest {:.2g} s\n",
-               run.outcome.phases.count, run.outcome.phases.shortest);
+    say("  shorter steps after events, where forces change within a step: {}, the shortest {:.2g} s\n",
+        run.outcome.phases.count, run.outcome.phases.shortest);
   if (run.outcome.zeno)
-    fmt::print(
-        "  more than {} events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
+    say("  more than {} events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
         "taken without locating them\n",
         scene::methodInfo(scene.integrator).adaptive ? 10000 : 32, *run.outcome.zeno);
   for (const auto& f : run.figures)
-    fmt::print("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
-               f.unit == "1" ? "" : f.unit);
+    say("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
+        f.unit == "1" ? "" : f.unit);
 }
 
 /// Prints the estimated error and what it covers.
 void print_estimate(const scene::Estimate& e) {
   const auto row = [](const char* name, double error, double accepted, const char* unit) {
     if (!std::isnan(error))
-      fmt::print("  {:<36}{:>24.3g} {}{}\n", fmt::format("estimated error, {}", name), error, unit,
-                 accepted > 0 ? fmt::format(", accepted {:.3g}", accepted) : "");
+      say("  {:<36}{:>24.3g} {}{}\n", fmt::format("estimated error, {}", name), error, unit,
+          accepted > 0 ? fmt::format(", accepted {:.3g}", accepted) : "");
   };
   row("positions", e.error.position, e.accepted.position, "m");
   row("angles", e.error.angle, e.accepted.angle, "rad");
   row("linear velocities", e.error.linear_velocity, 0, "m/s");
   row("angular velocities", e.error.angular_velocity, 0, "rad/s");
   if (std::isnan(e.error.position) && std::isnan(e.error.angle))
-    fmt::print("  {:<36}{:>24}\n", "estimated error", "not measured");
+    say("  {:<36}{:>24}\n", "estimated error", "not measured");
   // No method has an order below 1; half of it allows for events.
-  fmt::print("    by runs with {}, compared at {} states, for {:.0f} % of the run's steps; {}\n", e.by,
-             e.checkpoints, 100 * e.cost,
-             e.order && *e.order > 0.5 ? fmt::format("order observed: {:.2g}", *e.order)
-                                       : "no order observed: rounding errors or events prevail");
+  say("    by runs with {}, compared at {} states, for {:.0f} % of the run's steps; {}\n", e.by,
+      e.checkpoints, 100 * e.cost,
+      e.order && *e.order > 0.5 ? fmt::format("order observed: {:.2g}", *e.order)
+                                : "no order observed: rounding errors or events prevail");
 }
 
 /// Prints the errors of the last state against the closed form that the scene names. Returns false if one exceeds what the
@@ -85,13 +90,12 @@ bool print_truth(const scene::Scene& scene, const scene::Run& run, const Truth& 
   const char* const units[] = {"rad", "m", "rad/s", "m/s"};
   for (std::size_t i = 0; i < std::size(error_measures); ++i)
     if (const double x = e.*error_measures[i].of; !std::isnan(x))
-      fmt::print("  {:<36}{:>24.3g} {}\n", fmt::format("error at the end, {}", error_measures[i].name), x,
-                 units[i]);
-  fmt::print("    beside the closed form '{}'{}\n", scene.truth,
-             run.outcome.t < scene.span.duration * (1 - 1e-9)
-                 ? fmt::format(" at t = {:g} s, where the run ended; the scene lasts {:g} s", run.outcome.t,
-                               scene.span.duration)
-                 : "");
+      say("  {:<36}{:>24.3g} {}\n", fmt::format("error at the end, {}", error_measures[i].name), x, units[i]);
+  say("    beside the closed form '{}'{}\n", scene.truth,
+      run.outcome.t < scene.span.duration * (1 - 1e-9)
+          ? fmt::format(" at t = {:g} s, where the run ended; the scene lasts {:g} s", run.outcome.t,
+                        scene.span.duration)
+          : "");
   if (!run.estimate) return true;
   const scene::StateError& accepted = run.estimate->accepted;
   return !(e.attitude > accepted.angle) && !(e.position > accepted.position);
@@ -121,6 +125,28 @@ void print_early_end(const scene::Scene& scene, const scene::Run& run) {
                      scene.span.duration));
 }
 
+/// Throws std::invalid_argument unless an output that the scene names, and no flag, has the ending of its kind, is in the
+/// working folder, is not hidden, and is new or begins as this command's outputs do.
+void check_own_output(const scene::Scene& scene, const char* key, const std::string& file,
+                      std::string_view begin) {
+  if (file.empty()) return;
+  namespace fs = std::filesystem;
+  const auto refuse = [&](const char* why) {
+    throw std::invalid_argument(fmt::format("{}: output.{}: '{}' {}: --{} FILE writes to any file",
+                                            scene.source, key, file, why, key));
+  };
+  std::error_code error;
+  if (!is_inside(".", file)) refuse("is outside of the working folder");
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), error), here = fs::canonical(".", error);
+  if (real.extension() != std::string(".") + key) refuse("has another ending than its kind");
+  if (("/" + real.lexically_relative(here).string()).find("/.") != std::string::npos) refuse("is hidden");
+  if (!fs::exists(real, error)) return;
+  std::string first(begin.size(), '\0');
+  if (!fs::is_regular_file(real, error) ||
+      !std::ifstream(real).read(first.data(), static_cast<std::streamsize>(first.size())) || first != begin)
+    refuse("exists, and no run of a scene wrote it");
+}
+
 /// Throws std::invalid_argument if two of the four files are the same.
 void check_apart(const std::string& scene, const std::string& csv, const std::string& json,
                  const std::string& checkpoint) {
@@ -143,8 +169,10 @@ scene::SavedRun saved_run(const std::string& file, const scene::Scene& scene) tr
 
 int run(const SceneRunFlags& flags) {
   std::vector<std::string> warnings;
-  scene::Scene scene = loadScene(flags.file, &warnings);
+  scene::Scene scene = loadScene(flags.file, &warnings, flags.outside);
   print_warnings(warnings);
+  if (flags.csv.empty()) check_own_output(scene, "csv", scene.csv, "t [s]");
+  if (flags.json.empty()) check_own_output(scene, "json", scene.json, "{\n \"columns\":");
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json, flags.checkpoint);
@@ -220,6 +248,7 @@ Command scene_run_command(CLI::App& scene) {
       "save the run to FILE about once a second and at its end or stop; not with quaternion_norm or flips");
   a.text("--resume", a->resume, "FILE",
          "continue the run of the checkpoint FILE, to the same bits as the whole run");
+  a.outside(a->outside);
   a.toggle("--no-estimate", a->no_estimate, "leave out the estimate of the error");
   a.json(a->json, "write samples and figures to FILE, not to the scene's file");
   return a.runs(run);

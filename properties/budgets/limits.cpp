@@ -220,7 +220,10 @@ SubjectLimits parse_limits(const std::string& file, const std::string& text) {
 }
 
 SubjectLimits read_limits(const std::string& path) {
-  return parse_limits(path, read_whole(path));
+  constexpr std::size_t most = std::size_t(4) << 20;
+  const std::string text = read_whole(path);
+  if (text.size() > most) throw std::invalid_argument(fmt::format("{}: longer than {} bytes", path, most));
+  return parse_limits(path, text);
 }
 
 }  // namespace liecheck::properties

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/read_json.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -155,7 +156,7 @@ Sources Sources::of_build_tree() {
         ": is not there: subjects are built for other environments only by a program in its "
         "build tree");
   Sources s;
-  const nlohmann::json all = parsed(read_whole(file));
+  const nlohmann::json all = read_json(file);
   s.process = all.at("process"), s.compiler = all.at("compiler"), s.flags = all.at("flags");
   s.include = all.at("include");
   for (const auto& a : all.at("adapters"))

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/sampling.hpp>
+#include <support/markdown.hpp>
 
 namespace liecheck::properties {
 
@@ -218,10 +219,11 @@ std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const 
     if (all.empty()) return;
     text += fmt::format("| {} | operation, block, band | law | what |\n|---|---|---|---|\n", title);
     for (const Change& c : all)
-      text +=
-          fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1],
-                      c.name[3].empty() ? "" : fmt::format("`{}`, {}, {}", c.name[3], c.name[4], c.name[5]),
-                      c.name[2], c.what);
+      text += fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1],
+                          c.name[3].empty() ? ""
+                                            : fmt::format("`{}`, {}, {}", c.name[3], markdown(c.name[4]),
+                                                          markdown(c.name[5])),
+                          c.name[2], markdown(c.what));
     text += "\n";
   };
   table("worse", got_worse);

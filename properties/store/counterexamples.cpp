@@ -23,10 +23,11 @@ Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
       ++result.skipped;
       continue;
     }
-    const CaseId id =
-        CaseId::parse("raw." + c.property + "." + c.subject + "." + c.scalar + "." + c.robot + "." + c.input);
+    CaseId id;
     std::vector<Judged> judged;
     try {
+      id = CaseId::parse("raw." + c.property + "." + c.subject + "." + c.scalar + "." + c.robot + "." +
+                         c.input);
       judged = found->series->replay(id);
     } catch (const std::invalid_argument&) {  // the law has changed and does not accept this input
       ++result.skipped;

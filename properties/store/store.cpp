@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <set>
 #include <stdexcept>
 #include <store/row_seal.hpp>
 
@@ -17,7 +19,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr std::int64_t application_id = 0x6c696563;  // "liec"
-constexpr std::int64_t schema_version = 4;
+constexpr std::int64_t schema_version = 5;           // which sealed done and counterexamples
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
@@ -27,7 +29,7 @@ CREATE TABLE series(campaign INTEGER, series INTEGER, property TEXT, subject TEX
   scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT, cells INTEGER, fast INTEGER,
   checked INTEGER, disagreed TEXT, coverage TEXT, profile TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series)) WITHOUT ROWID;
-CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
+CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER, seal INTEGER,
   PRIMARY KEY(campaign, series, first)) WITHOUT ROWID;
 CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, operation TEXT, block TEXT,
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
@@ -41,7 +43,8 @@ CREATE TABLE limits(campaign INTEGER, subject TEXT, file TEXT, text TEXT, seal I
 CREATE TABLE failures(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, case_index INTEGER,
   input TEXT, seal INTEGER, PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEXT, operation TEXT, block TEXT,
-  input TEXT, PRIMARY KEY(property, subject, scalar, robot, operation, block, input)) WITHOUT ROWID;
+  input TEXT, seal INTEGER,
+  PRIMARY KEY(property, subject, scalar, robot, operation, block, input)) WITHOUT ROWID;
 )";
 
 constexpr const char* replaced = "was removed or replaced by another process while this one ran";
@@ -77,6 +80,30 @@ std::string reason_of(const SQLite::Exception& error, int system) {
   }
 }
 
+/// The definitions of all tables, views, triggers and indices.
+std::set<std::string> structure_of(const SQLite::Database& database) {
+  SQLite::Statement row(database,
+                        "SELECT type || ' ' || name || ': ' || sql FROM sqlite_master WHERE sql NOT NULL");
+  std::set<std::string> all;
+  while (row.executeStep()) all.insert(row.getColumn(0).getString());
+  return all;
+}
+
+/// Refuses files beside a store through which SQLite would write or delete another file: links, and a journal that names
+/// a second journal, which SQLite deletes after the rollback. liecheck writes no such journal.
+void check_files_beside(const std::string& path) {
+  std::error_code error;
+  for (const char* ending : {"-journal", "-wal", "-shm"})
+    if (std::filesystem::is_symlink(path + ending, error))
+      throw error_of(path + ending, "is a link beside a store: remove it");
+  constexpr std::string_view magic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
+  std::ifstream journal(path + "-journal", std::ios::binary);
+  std::string end(magic.size(), '\0');
+  if (journal.seekg(-static_cast<std::streamoff>(magic.size()), std::ios::end) &&
+      journal.read(end.data(), static_cast<std::streamsize>(end.size())) && end == magic)
+    throw error_of(path + "-journal", "names another file, as no journal of a store does: remove it");
+}
+
 SQLite::Database open(const std::string& path, bool create) {
   namespace fs = std::filesystem;
   if (path.empty()) throw std::runtime_error("a store needs a file name");
@@ -87,6 +114,7 @@ SQLite::Database open(const std::string& path, bool create) {
   const auto folder = fs::path(path).parent_path();
   if (!exists && ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
     throw error_of(path, fmt::format("cannot be created: {}", std::strerror(errno)));
+  check_files_beside(path);
   // With "./" in front, names such as ":memory:" and "file:" mean a file. SQLite opens a write-protected file
   // read-only. A file with a hot journal must be opened for writing, even if it is only read.
   constexpr int busy_timeout = 10000;  // [ms]
@@ -105,6 +133,9 @@ Store::Store(const std::string& path, Open how) : path_(path), database_(open(pa
 }
 
 void Store::check_format(Open how) try {
+  for (const int part : {SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW})
+    sqlite3_db_config(database_.getHandle(), part, 0, nullptr);
+  database_.exec("PRAGMA trusted_schema = OFF");
   database_.exec("PRAGMA synchronous = FULL");  // a committed transaction survives the loss of power, too
   if (how == Open::create && empty()) create_tables();
   if (integer("PRAGMA application_id") != application_id)
@@ -113,12 +144,24 @@ void Store::check_format(Open how) try {
     fail(fmt::format("a store of version {}{}, this program reads version {}", version,
                      version == 1 ? ", which counts inputs and not what was measured of them" : "",
                      schema_version));
+  check_structure();
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
     fail("corrupt: the database is damaged");
   if (how == Open::create && sqlite3_db_readonly(database_.getHandle(), "main") == 1)
     fail("read-only: it cannot be written");
 } catch (const SQLite::Exception& e) {
   fail(e);
+}
+
+void Store::check_structure() {
+  SQLite::Database right(":memory:", SQLite::OPEN_READWRITE);
+  right.exec(schema);
+  const auto due = structure_of(right), found = structure_of(database_);
+  const auto name = [](const std::string& definition) { return definition.substr(0, definition.find(": ")); };
+  for (const std::string& one : found)
+    if (!due.contains(one)) fail(fmt::format("corrupt: its {} is none of a store", name(one)));
+  for (const std::string& one : due)
+    if (!found.contains(one)) fail(fmt::format("corrupt: its {} is missing", name(one)));
 }
 
 bool Store::empty() {

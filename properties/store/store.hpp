@@ -13,7 +13,7 @@
 // A file holds one campaign or several; the last one is the current one. Rows hold whole tallies, not
 // differences, so a transaction rewrites each row that changed. Between transactions there is no second file
 // (rollback journal). Unsigned integers (seeds) are stored as signed ones with the same bits. Rows are sealed
-// (row_seal.hpp), except those of done and counterexamples.
+// (row_seal.hpp). A file with another structure, such as a view or a trigger, is refused.
 //
 // Every error is one line of a std::runtime_error: "FILE: reason".
 
@@ -51,6 +51,7 @@ class Store {
 
  private:
   void check_format(Open how);
+  void check_structure();
   bool empty();  ///< whether the file is no database yet
   void create_tables();
   void check_no_other_writer();

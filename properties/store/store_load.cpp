@@ -1,6 +1,8 @@
 // Reads campaigns from a store, and checks that nothing is missing or damaged.
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <limits>
 #include <optional>
@@ -8,6 +10,8 @@
 #include <stdexcept>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
+#include <support/environment.hpp>
+#include <support/json.hpp>
 
 namespace liecheck::properties {
 
@@ -16,13 +20,16 @@ namespace {
 /// Returns false if the text is not a histogram.
 bool parse(const std::string& text, Histogram& h) {
   const char *p = text.data(), *end = p + text.size();
+  constexpr int zero = -1000000, first = -8000, last = 40000;  // Histogram has no other bins
+  int bin = zero - 1;
   while (p != end) {
-    int bin = 0;
+    const int before = bin;
     std::uint64_t n = 0;
     const auto b = std::from_chars(p, end, bin);
     if (b.ec != std::errc() || b.ptr == end || *b.ptr != ':') return false;
     const auto c = std::from_chars(b.ptr + 1, end, n);
     if (c.ec != std::errc() || (c.ptr != end && *c.ptr != ' ')) return false;
+    if (bin <= before || (bin != zero && (bin < first || bin > last))) return false;
     h.add_bin(bin, n);
     p = c.ptr == end ? end : c.ptr + 1;
   }
@@ -55,7 +62,16 @@ double real(const SQLite::Statement& row, int column) {
 }
 
 std::string text(const SQLite::Statement& row, int column) {
-  return row.getColumn(column).getString();
+  std::string text = row.getColumn(column).getString();
+  if (!is_utf8(text)) throw SQLite::Exception("a text is not UTF-8", SQLITE_CORRUPT);
+  return text;
+}
+
+bool is_word(const std::string& name) {
+  const std::string marks = "_-+:";
+  return !name.empty() && std::ranges::all_of(name, [&](unsigned char c) {
+    return std::isalnum(c) || marks.find(static_cast<char>(c)) != marks.npos;
+  });
 }
 
 /// Reads one campaign.
@@ -102,6 +118,7 @@ class Loader {
     spec.generator = number(row, 5), spec.program = text(row, 6), spec.budgets = text(row, 7);
     spec.robot.name = text(row, 8), spec.robot.hash = text(row, 9), spec.robot.urdf = text(row, 10);
     spec.environment = text(row, 11);
+    check(is_environment(spec.environment), "its environment");
     return true;
   }
 
@@ -127,6 +144,8 @@ class Loader {
       StoredSeries s;
       s.property = text(row, 2), s.subject = text(row, 3), s.subject_version = text(row, 4);
       s.scalar = text(row, 5), s.robot = text(row, 6);
+      for (const std::string* name : {&s.property, &s.subject, &s.scalar, &s.robot})
+        check(is_word(*name), "a name is no word");  // it becomes a part of commands
       s.tally.cases = count(row, 7);
       check(parse(text(row, 8), s.tally.inputs) && parse(text(row, 9), s.tally.results),
             "a digest is malformed");
@@ -146,6 +165,7 @@ class Loader {
   void load_done() {
     auto row = select("SELECT * FROM done WHERE campaign = ?");
     while (row.executeStep()) {
+      check_seal(row);
       const std::uint64_t first = count(row, 2), last = count(row, 3);
       check(first < last && first >= campaign_.spec.first && last <= campaign_.spec.last &&
                 series_at(row).tally.done.add(first, last),
@@ -160,6 +180,7 @@ class Loader {
       StoredSeries& s = series_at(row);
       const Cell cell{number(row, 2), number(row, 3)};
       s.labels[cell] = {text(row, 4), text(row, 5), text(row, 6)};
+      check(is_word(s.labels[cell].operation), "a name is no word");
       Row& r = s.tally.rows[cell];
       r.count = count(row, 7), r.ill_posed = count(row, 8), r.unresolved = count(row, 9);
       r.not_finite = count(row, 10), r.wrong_branch = count(row, 11), r.refused = count(row, 12);
@@ -209,6 +230,11 @@ StoredCampaign Store::load(int number) try {
 
 std::vector<Counterexample> Store::counterexamples() try {
   std::vector<Counterexample> all;
+  for (const char* table : {"series", "cells", "failures", "counterexamples"}) {
+    SQLite::Statement sealed(database_, fmt::format("SELECT * FROM {}", table));
+    while (sealed.executeStep())
+      if (!has_true_seal(sealed)) fail("corrupt: a row was changed");
+  }
   SQLite::Statement row(
       database_,
       "SELECT s.property, s.subject, s.scalar, s.robot, c.operation, c.block, f.input FROM failures f "

@@ -56,8 +56,8 @@ void Store::write_series(std::size_t series, const SeriesName& s, const Tally& t
       .exec();
   SQLite::Statement erase(database_, "DELETE FROM done WHERE campaign = ? AND series = ?");
   bind_row(erase, campaign_, series).exec();
-  SQLite::Statement range(database_, "INSERT INTO done VALUES(?, ?, ?, ?)");
-  for (const auto& [first, last] : tally.done) bind_row(range, campaign_, series, first, last).exec();
+  SQLite::Statement range(database_, "INSERT INTO done VALUES(?, ?, ?, ?, ?)");
+  for (const auto& [first, last] : tally.done) bind_sealed_row(range, campaign_, series, first, last).exec();
 }
 
 void Store::write_cell(std::size_t series, Cell cell, const Label& l, const Row& r) {
@@ -175,9 +175,9 @@ void Store::adopt(const std::vector<Counterexample>& others) try {
 }
 
 void Store::insert(const std::vector<Counterexample>& others) {
-  SQLite::Statement row(database_, "REPLACE INTO counterexamples VALUES(?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement row(database_, "REPLACE INTO counterexamples VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
   for (const Counterexample& x : others)
-    bind_row(row, x.property, x.subject, x.scalar, x.robot, x.operation, x.block, x.input).exec();
+    bind_sealed_row(row, x.property, x.subject, x.scalar, x.robot, x.operation, x.block, x.input).exec();
 }
 
 }  // namespace liecheck::properties

@@ -70,7 +70,12 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
     refuse(fmt::format("written by liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
                        c.spec.generator, LIECHECK_VERSION, generator_version));
   o.selection.limits = c.spec.limits;
-  auto all = select(selection_of(c), c.spec.robot);
+  std::vector<std::unique_ptr<Series>> all;
+  try {
+    all = select(selection_of(c), c.spec.robot);
+  } catch (const std::exception& e) {
+    refuse(fmt::format("its robot, subjects or limits: {}", e.what()));
+  }
   for (const StoredSeries& s : c.series) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& x) {
       return x && x->property == s.property && x->subject == s.subject && x->scalar == s.scalar;

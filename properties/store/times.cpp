@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <support/files.hpp>
+#include <support/read_json.hpp>
 
 namespace liecheck::properties {
 
@@ -23,17 +22,14 @@ using Times = std::map<Name, std::map<std::string, Time>>;  // by band
 
 Times times_in(const std::string& file) {
   Times all;
-  try {
-    const json record = json::parse(read_whole(file));
+  const json record = read_json(file);
+  members_of(file, "record of 'liecheck cost --json'", [&] {
     for (const json& row : record.at("cost").at("rows"))
       for (const json& set : row.at("sets"))
         if (const json& t = set.at("latency"); !t.is_null())
           all[{row.at("subject"), row.at("scalar"), row.at("operation")}].emplace(
               set.at("set"), Time{t.at("ns"), t.at("ratio"), t.at("low"), t.at("high")});
-  } catch (const json::exception& e) {
-    throw std::invalid_argument(
-        fmt::format("--cost: {} is no record of 'liecheck cost --json': {}", file, e.what()));
-  }
+  });
   return all;
 }
 

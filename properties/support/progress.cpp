@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdio>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -41,8 +42,8 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
   shown_ = now;
   share = std::clamp(share, 0.0, 1.0);
   const std::string left = share > 0 ? clock_text(now * (1 - share) / share) : "?";
-  const std::string text = fmt::format("{}{:3.0f} %  {}  left {}", what_.empty() ? "" : what_ + ": ",
-                                       share * 100, detail(now), left);
+  const std::string text = printable(fmt::format(
+      "{}{:3.0f} %  {}  left {}", what_.empty() ? "" : what_ + ": ", share * 100, detail(now), left));
   if (terminal_) {
     const int columns = terminal_columns(), room = columns - 4 - static_cast<int>(text.size());
     const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/read_json.hpp>
 #include <utility>
 
 namespace liecheck::properties {
@@ -16,12 +17,7 @@ RunState::RunState(const std::string& file, const json& options)
   if (file_.empty()) return;
   check_writable(file_);
   if (!std::filesystem::exists(file_)) return;
-  json before;
-  try {
-    before = parsed(read_whole(file_));
-  } catch (const json::exception&) {
-    throw std::invalid_argument(fmt::format("{}: is not JSON", file_));
-  }
+  json before = read_json(file_);
   if (!before.is_object() || before.value("options", json()) != options ||
       !before.value("parts", json()).is_object())
     throw std::invalid_argument(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -14,17 +15,6 @@ text.worse,text.better{stroke:none}
 @media(prefers-color-scheme:dark){text{fill:#e6edf3}.ground{fill:#0d1117;stroke:#3d444d}.faint{fill:#9198a1}
 .line{stroke:#3d444d}.worse{fill:#ff8178;stroke:#ff8178}.better{fill:#56d364;stroke:#56d364}.hollow{fill:#0d1117}}
 )";
-
-std::string escaped(const std::string& text) {
-  std::string all;
-  for (const char c : text)
-    all += c == '<'   ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '&' ? "&amp;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
-  return all;
-}
 
 }  // namespace
 
@@ -39,7 +29,7 @@ std::string svg_text(double x, double y, const std::string& text, const std::str
       svg_width(text) > most ? fmt::format(" textLength=\"{:.0f}\" lengthAdjust=\"spacingAndGlyphs\"", most)
                              : "";
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     classes, anchor, squeezed, escaped(text));
+                     classes, anchor, squeezed, xml_escaped(text));
 }
 
 std::string svg(int width, int height, const std::string& title, const std::string& elements) {
@@ -48,7 +38,7 @@ std::string svg(int width, int height, const std::string& title, const std::stri
       "role=\"img\">\n"
       "<title>{2}</title><style>{3}</style>\n"
       "<rect class=\"ground\" x=\".5\" y=\".5\" width=\"{4}\" height=\"{5}\" rx=\"6\"/>\n{6}</svg>\n",
-      width, height, escaped(title), style, width - 1, height - 1, elements);
+      width, height, xml_escaped(title), style, width - 1, height - 1, elements);
 }
 
 }  // namespace liecheck::properties

@@ -22,7 +22,10 @@ std::string printable(const std::string& text) {
       ++i;
     } else if (byte >= 0x80) {
       const std::string letter = text.substr(i, byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4);
-      const bool whole = is_utf8(letter);
+      // Marks that turn the direction of a line, or end it (U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069).
+      const bool turns = (letter >= "\xe2\x80\xa8" && letter <= "\xe2\x80\xae") || letter == "\xe2\x80\x8e" ||
+                         letter == "\xe2\x80\x8f" || (letter >= "\xe2\x81\xa6" && letter <= "\xe2\x81\xa9");
+      const bool whole = !turns && is_utf8(letter);
       out += whole ? letter : fmt::format("\\x{:02x}", byte);
       if (whole) i += letter.size() - 1;
     } else {
@@ -58,7 +61,24 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
-std::string csv_field(const std::string& text) {
+std::string xml_escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '&'                             ? "&amp;"
+           : c == '<'                           ? "&lt;"
+           : c == '>'                           ? "&gt;"
+           : c == '"'                           ? "&quot;"
+           : (c >= 0 && c < ' ') || c == '\x7f' ? fmt::format("&#{};", int(c))
+                                                : std::string(1, c);
+  return out;
+}
+
+std::string csv_field(const std::string& field) {
+  // A spreadsheet would run a text that begins so as a formula. Numbers begin with '-', too.
+  const bool formula =
+      field.find_first_of("=+@") == 0 ||
+      (field.starts_with('-') && field.find_first_not_of("0123456789abcdefpxin.+- ") != field.npos);
+  const std::string text = formula ? "'" + field : field;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -19,7 +19,11 @@ std::string file_name(const std::string& text);
 /// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
 
-/// Returns a field of a CSV file (RFC 4180), quoted where necessary, with quotes doubled.
+/// Returns the text as a part of XML or HTML, in an element or an attribute; control characters as &#NN;.
+std::string xml_escaped(const std::string& text);
+
+/// Returns a field of a CSV file (RFC 4180), quoted where necessary, with quotes doubled. A text that a spreadsheet would
+/// run as a formula gets an apostrophe before it.
 std::string csv_field(const std::string& text);
 
 }  // namespace liecheck::properties

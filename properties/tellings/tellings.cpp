@@ -6,6 +6,7 @@
 #include <invariants/tree_law.hpp>
 #include <optional>
 #include <stdexcept>
+#include <support/text.hpp>
 
 namespace liecheck::properties::league {
 
@@ -49,10 +50,10 @@ std::string origin(const Isometry3d& X) {
 }
 
 std::string written(const Text& t) {
-  std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", t.name);
+  std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_escaped(t.name));
   for (const Link& l : t.links) {
     if (!l.inertial) {
-      text += fmt::format("  <link name=\"{}\"/>\n", l.name);
+      text += fmt::format("  <link name=\"{}\"/>\n", xml_escaped(l.name));
       continue;
     }
     const Inertial& i = *l.inertial;
@@ -62,12 +63,12 @@ std::string written(const Text& t) {
         "ixy=\"{:.17g}\" ixz=\"{:.17g}\" iyy=\"{:.17g}\" iyz=\"{:.17g}\" izz=\"{:.17g}\"/>\n    "
         "</inertial>\n  "
         "</link>\n",
-        l.name, origin(i.at), i.mass, i.I(0, 0), i.I(0, 1), i.I(0, 2), i.I(1, 1), i.I(1, 2), i.I(2, 2));
+        xml_escaped(l.name), origin(i.at), i.mass, i.I(0, 0), i.I(0, 1), i.I(0, 2), i.I(1, 1), i.I(1, 2), i.I(2, 2));
   }
   for (const Joint& j : t.joints) {
     text += fmt::format(
         "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    {}\n",
-        j.name, j.type, j.parent, j.child, origin(j.at));
+        xml_escaped(j.name), j.type, xml_escaped(j.parent), xml_escaped(j.child), origin(j.at));
     if (j.type != "fixed" && j.type != "floating")
       text += fmt::format("    <axis xyz=\"{}\"/>\n", three(j.axis));
     if (j.type == "revolute" || j.type == "prismatic")

@@ -328,6 +328,14 @@ TEST(Includes, AWayToANumericalLibraryIsFound) {
   EXPECT_EQ(way_to(files, "properties/app/a.cpp", {"boost/"}), "");
 }
 
+TEST(Commands, PrintTextOfOthersWithoutControlCharacters) {
+  // By say() and warn(). These files print colours, of which say() would make text.
+  const std::set<std::string> coloured{"properties/app/campaign_command.cpp",
+                                       "properties/app/failure_table.cpp"};
+  for (const auto& [path, text] : sources({"properties/app", "lab/app"}))
+    if (!coloured.contains(path)) EXPECT_EQ(text.find("fmt::print("), text.npos) << path;
+}
+
 TEST(TheHarness, HasOnlyFoldersAtItsRoot) {
   for (const char* folder : {"properties", "lab"})
     for (const auto& entry : fs::directory_iterator(top() / folder))

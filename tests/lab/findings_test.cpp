@@ -132,6 +132,40 @@ TEST_F(FindingsOfARecord, StayInTheirFolderAndShowNoControlCharacters) {
   }
 }
 
+TEST_F(FindingsOfARecord, OfNamesThatBecomeOneFileNameAreFilesOfTheirOwn) {
+  json all = record(library("a/b", "false", "python3 {file}"));
+  all["libraries"].push_back(library("a?b", "false", "python3 {file}"));
+  EXPECT_EQ(findings(all, "--run-recorded").code, 0);
+  const std::string stem = "in/o/a_b_exp3_quaternion";
+  EXPECT_EQ(written(), stem + ".md\n" + stem + ".py\n" + stem + "_.md\n" + stem + "_.py\n");
+}
+
+TEST_F(FindingsOfARecord, AreNotWrittenThroughALink) {
+  for (const std::string ending : {".py", ".md"}) {
+    fs::remove_all(dir + "in/o");
+    fs::create_directories(dir + "in/o");
+    fs::create_symlink("../../outside", dir + "in/o/lib_exp3_quaternion" + ending);
+    const Run r = findings(record(library("lib", "false", "touch ran; python3 {file}")), "--run-recorded");
+    EXPECT_EQ(r.code, 2);
+    EXPECT_NE(r.text.find("o/lib_exp3_quaternion" + ending + ": is a link out of the folder"), r.text.npos)
+        << r.text;
+    EXPECT_EQ(written(), "");
+  }
+}
+
+TEST_F(FindingsOfARecord, AreTextInTheirPage) {
+  json all = record(library("lib", "false", "python3 {file}"));
+  json& failure = all["libraries"][0]["cells"][0]["failure"];
+  failure["guess"] = "<script>alert(1)</script>[x](http://x)";
+  failure["text"] = "  input  1\n  ```\n# a heading\n    Q[0]  got  0.5  expected 1\n" +
+                    failure["text"].get<std::string>().substr(10);
+  EXPECT_EQ(findings(all, "--run-recorded").code, 0);
+  const std::string page = read_whole(dir + "in/o/lib_exp3_quaternion.md");
+  EXPECT_EQ(page.find("<script"), page.npos) << page;
+  EXPECT_EQ(page.find("[x]"), page.npos) << page;
+  EXPECT_NE(page.find("\n````\n  input"), page.npos) << page;
+}
+
 TEST_F(FindingsOfARecord, NameTheMemberThatIsMissingOrOfAnotherType) {
   const json whole = record(library("lib", "echo listed", "python3 {file}"));
   const std::pair<json::json_pointer, json> changes[] = {

@@ -145,7 +145,8 @@ int main(int argc, char** argv) {
     if (name == c.name) text = c.text;
   replace(text, "URDF", argv[4]), replace(text, "FEET", argv[5]);
   if (name == "standing") replace(text, "HEIGHT", heightOf(argv[4], argv[5]));
-  scene::Scene s = loadSceneText(text + "integrator: {name: rkmk4, step: 1 s}\nduration: 1 s\n");
+  scene::Scene s = loadSceneText(text + "integrator: {name: rkmk4, step: 1 s}\nduration: 1 s\n", argv[2], ".",
+                                 nullptr, {"/"});
   s.span = {h * double(steps), steps, steps};
   if (way == "counted") {
     for (const scene::Stage& stage : scene::plan(s, true).stages)

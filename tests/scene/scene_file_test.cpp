@@ -367,8 +367,9 @@ TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
 }
 
 std::string chainOf(const std::string& integrator) {
-  return "robot: {urdf: " + (scenes / "chain.urdf").string() +
-         "}\ninitial: {angular_velocity: [0.5, 1, 0.2], joint_velocities: {hinge1: 1, hinge2: -2, hinge3: "
+  fs::copy_file(scenes / "chain.urdf", liecheck::scratch() + "chain.urdf", fs::copy_options::update_existing);
+  return "robot: {urdf: chain.urdf}\ninitial: {angular_velocity: [0.5, 1, 0.2], joint_velocities: {hinge1: "
+         "1, hinge2: -2, hinge3: "
          "1.5}}\n"
          "integrator: " +
          integrator + "\nduration: 5 s\nobservers: [momentum]\noutput: {every: 2.5 s}\n";

@@ -193,7 +193,7 @@ inline scene::Scene scene_of(const EffectScene& s) {
           s.shapes + "\n" + (start.empty() ? "" : "initial: {" + start + "}\n") +
           (s.actuation ? "actuation: " : "effects: ") + part +
           "integrator: {name: gauss12, step: 5 ms}\nduration: " + std::to_string(s.duration) + " s\n",
-      s.effect + ".yaml", scratch());
+      s.effect + ".yaml", scratch(), nullptr, {LIECHECK_FIXTURES});
 }
 
 inline std::string name_of(const EffectScene& s) {

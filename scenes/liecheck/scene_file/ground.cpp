@@ -1,7 +1,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/urdf/attributes.hpp>
@@ -15,7 +14,8 @@ using scene::Kind;
 using scene::TriangleMesh;
 using Point = std::array<double, 3>;
 
-constexpr std::size_t max_file_bytes = std::size_t(64) << 20, max_triangles = 200'000;
+constexpr std::size_t max_file_bytes = std::size_t(64) << 20, max_triangles = 200'000,
+                      max_line_bytes = std::size_t(4) << 20;
 
 /// Collects triangles. Those without area are left out; vertices with the same numbers are one.
 class Triangles {
@@ -58,7 +58,13 @@ template <class F>
 void forEachLine(const std::string& content, F f) {
   std::istringstream stream(content);
   int number = 0;
-  for (std::string line; std::getline(stream, line);) f(words(line), ++number);
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (line.size() > max_line_bytes)  // its words take twenty times as much memory
+      throw std::invalid_argument("line " + std::to_string(number) + " is longer than " +
+                                  std::to_string(max_line_bytes) + " bytes");
+    f(words(line), number);
+  }
 }
 
 /// An STL file, text or binary (3D Systems 1988).
@@ -121,10 +127,8 @@ void addHeights(const std::vector<std::vector<double>>& rows, const std::vector<
     }
 }
 
-std::string fileOf(const Text& text, const YAML::Node& node, const std::string& what,
-                   const std::string& folder) {
-  const std::string path =
-      (std::filesystem::path(folder) / text.word(node, what)).lexically_normal().string();
+std::string fileOf(const Text& text, const YAML::Node& node, const std::string& what) {
+  const std::string path = text.path(node, what);
   try {
     std::string content = readTextFile(path, max_file_bytes);
     if (content.size() <= max_file_bytes) return content;
@@ -134,14 +138,13 @@ std::string fileOf(const Text& text, const YAML::Node& node, const std::string& 
   text.refuse(node, what + ": " + path + " is longer than " + std::to_string(max_file_bytes) + " bytes");
 }
 
-std::vector<std::vector<double>> readHeights(const Text& text, const YAML::Node& node,
-                                             const std::string& folder) {
+std::vector<std::vector<double>> readHeights(const Text& text, const YAML::Node& node) {
   std::vector<std::vector<double>> rows;
   if (node.IsSequence()) {
     for (const auto& row : node) rows.push_back(text.numbers(row, "ground.heights", "m"));
     return rows;
   }
-  std::string content = fileOf(text, node, "ground.heights", folder);
+  std::string content = fileOf(text, node, "ground.heights");
   for (char& c : content)
     if (c == ',' || c == ';') c = ' ';
   forEachLine(content, [&](const std::vector<std::string>& line, int number) {
@@ -152,8 +155,8 @@ std::vector<std::vector<double>> readHeights(const Text& text, const YAML::Node&
   return rows;
 }
 
-void readMesh(const Text& text, const YAML::Node& node, const std::string& folder, Triangles& to) {
-  const std::string content = fileOf(text, node, "ground.mesh", folder), path = node.Scalar();
+void readMesh(const Text& text, const YAML::Node& node, Triangles& to) {
+  const std::string content = fileOf(text, node, "ground.mesh"), path = node.Scalar();
   if (path.ends_with(".stl") || path.ends_with(".STL"))
     readStl(content, to);
   else if (path.ends_with(".obj") || path.ends_with(".OBJ"))
@@ -164,7 +167,7 @@ void readMesh(const Text& text, const YAML::Node& node, const std::string& folde
 
 }  // namespace
 
-void readGround(const Text& text, const YAML::Node& ground, const std::string& folder, scene::Scene& scene) {
+void readGround(const Text& text, const YAML::Node& ground, scene::Scene& scene) {
   if (!ground.IsDefined() || ground.IsNull()) return;
   text.checkKeys(ground, "ground", {"height", "normal", "heights", "spacing", "corner", "mesh"});
   scene.around.ground = true;
@@ -194,9 +197,9 @@ void readGround(const Text& text, const YAML::Node& ground, const std::string& f
       const auto corner = ground["corner"].IsDefined()
                               ? text.numbers(ground["corner"], "ground.corner", "m", 2)
                               : std::vector<double>{0, 0};
-      addHeights(readHeights(text, heights, folder), spacing, corner, all);
+      addHeights(readHeights(text, heights), spacing, corner, all);
     } else {
-      readMesh(text, mesh, folder, all);
+      readMesh(text, mesh, all);
     }
     if (all.mesh.triangles.empty()) throw std::invalid_argument("the ground has no triangle with an area");
     for (Point& p : all.mesh.vertices) p[2] += scene.around.height;

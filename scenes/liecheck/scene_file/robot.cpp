@@ -1,7 +1,6 @@
 #include <liecheck/scene_file/robot.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <liecheck/scene/bodies.hpp>
 #include <liecheck/scene/starts.hpp>
 #include <liecheck/scene_file/shapes.hpp>
@@ -44,15 +43,14 @@ std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& r
   return std::nullopt;
 }
 
-void fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder, scene::Scene& scene,
+void fromUrdf(const Text& text, const YAML::Node& robot, scene::Scene& scene,
               std::vector<std::string>& warnings) {
   const auto p = text.parameters(robot, Text::lineOf(robot), "robot", rootKeys(), nullptr, {"urdf"});
   const int line = Text::lineOf(robot["urdf"]);
-  const std::string given = text.word(robot["urdf"], "robot.urdf");
-  const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
+  const std::string file = text.path(robot["urdf"], "robot.urdf");
   const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p), .mimic = MimicJoints::Tied};
   try {
-    const std::string file = path.lexically_normal().string(), urdf = readUrdf(file);
+    const std::string urdf = readUrdf(file);
     UrdfRobot loaded = loadUrdfText(urdf, options, file);
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
     scene.around.shapes = shapesOfUrdf(urdf, loaded.model);
@@ -241,7 +239,7 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
 
 }  // namespace
 
-void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene,
+void readRobot(const Text& text, const YAML::Node& root, scene::Scene& scene,
                std::vector<std::string>& warnings) {
   const YAML::Node robot = root["robot"];
   if (!robot.IsDefined())
@@ -250,7 +248,7 @@ void readRobot(const Text& text, const YAML::Node& root, const std::string& fold
   if (int(robot["urdf"].IsDefined()) + int(robot["body"].IsDefined()) + int(robot["bodies"].IsDefined()) != 1)
     text.refuse(robot, "robot needs one of 'urdf', 'body' and 'bodies'");
   if (robot["urdf"].IsDefined())
-    fromUrdf(text, robot, folder, scene, warnings);
+    fromUrdf(text, robot, scene, warnings);
   else if (robot["body"].IsDefined())
     fromBody(text, robot, scene);
   else

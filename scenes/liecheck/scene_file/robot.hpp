@@ -6,9 +6,9 @@
 
 namespace liecheck::scene_file_detail {
 
-/// Reads `robot` and `frames` into scene.model. Sets q to neutral, v to 0. URDF paths are relative to folder.
+/// Reads `robot` and `frames` into scene.model. Sets q to neutral, v to 0.
 /// Adds the warnings of the URDF to `warnings`.
-void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene,
+void readRobot(const Text& text, const YAML::Node& root, scene::Scene& scene,
                std::vector<std::string>& warnings);
 
 /// Reads `initial` into scene.q and scene.v.

@@ -12,6 +12,7 @@
 #include <liecheck/scene_file/values.hpp>
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/text/utf8.hpp>
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -165,33 +166,60 @@ void warnOfOpenLoops(const Text& text, const Scene& scene, std::vector<std::stri
   }
 }
 
+/// Follows the events of a YAML text, and refuses one whose aliases stand for more values than a scene text has room for.
+struct Documents final : YAML::EventHandler {
+  YAML::Mark begin, now;
+  std::vector<std::pair<YAML::anchor_t, std::size_t>>
+      open;  ///< lists and maps that have not ended, with their sizes
+  std::map<YAML::anchor_t, std::size_t> sizes;
+
+  void add(YAML::anchor_t anchor, std::size_t size) {
+    sizes[anchor] = size;
+    if (size > max_scene_bytes) throw YAML::ParserException(now, "aliases repeat too many values");
+    if (!open.empty()) open.back().second += size;
+  }
+  void start(const YAML::Mark& m, YAML::anchor_t anchor) { now = m, open.emplace_back(anchor, 1); }
+  void end() {
+    const auto [anchor, size] = open.back();
+    open.pop_back();
+    add(anchor, size);
+  }
+  void OnDocumentStart(const YAML::Mark& m) override { begin = now = m; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& m, YAML::anchor_t anchor) override { now = m, add(anchor, 1); }
+  void OnAlias(const YAML::Mark& m, YAML::anchor_t anchor) override {
+    now = m;
+    if (!sizes.contains(anchor)) throw YAML::ParserException(m, "an alias stands inside of what it repeats");
+    add(0, sizes.at(anchor));
+  }
+  void OnScalar(const YAML::Mark& m, const std::string&, YAML::anchor_t anchor, const std::string&) override {
+    now = m, add(anchor, 1);
+  }
+  void OnSequenceStart(const YAML::Mark& m, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    start(m, anchor);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& m, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    start(m, anchor);
+  }
+  void OnMapEnd() override { end(); }
+};
+
 /// The line where the second document of a YAML text begins, or 0. YAML::LoadAll would not end on a text that begins
 /// with ',' (yaml-cpp 0.7).
 int lineOfSecondDocument(const std::string& content) {
-  struct Start final : YAML::EventHandler {
-    YAML::Mark mark;
-    void OnDocumentStart(const YAML::Mark& m) override { mark = m; }
-    void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                         YAML::EmitterStyle::value) override {}
-    void OnSequenceEnd() override {}
-    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                    YAML::EmitterStyle::value) override {}
-    void OnMapEnd() override {}
-  };
   std::istringstream stream(content);
   YAML::Parser parser(stream);
-  Start first, second;
+  Documents first, second;
   if (!parser.HandleNextDocument(first) || !parser.HandleNextDocument(second)) return 0;
-  if (second.mark.pos == first.mark.pos) throw YAML::ParserException(first.mark, "a value cannot begin so");
-  return second.mark.line + 1;
+  if (second.begin.pos == first.begin.pos)
+    throw YAML::ParserException(first.begin, "a value cannot begin so");
+  return second.begin.line + 1;
 }
 
-Scene read(const Text& text, const std::string& content, const std::string& folder,
-           std::vector<std::string>& warnings) {
+Scene read(const Text& text, const std::string& content, std::vector<std::string>& warnings) {
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than the limit of a scene: " + std::to_string(max_scene_bytes) + " bytes");
   if (content.find('\0') != std::string::npos) text.refuse(0, "is not text: it contains a zero byte");
@@ -231,8 +259,8 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     read("position", "m", scene.accepted_position);
     read("angle", "rad", scene.accepted_angle);
   }
-  readRobot(text, root, folder, scene, warnings);
-  readGround(text, root["ground"], folder, scene);
+  readRobot(text, root, scene, warnings);
+  readGround(text, root["ground"], scene);
   readStart(text, root["initial"], scene);
   scene.effects = requests(text, root["effects"], "effects", scene::effectEntries<double>(), scene.model);
   for (Request& r :
@@ -262,11 +290,11 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
 }  // namespace scene_file_detail
 
 scene::Scene loadSceneText(const std::string& text, const std::string& source_name, const std::string& folder,
-                           std::vector<std::string>* warnings) {
+                           std::vector<std::string>* warnings, const std::vector<std::string>& outside) {
   std::vector<std::string> of_urdf;
   try {
     scene::Scene scene =
-        scene_file_detail::read(scene_file_detail::Text(source_name, folder), text, folder, of_urdf);
+        scene_file_detail::read(scene_file_detail::Text(source_name, folder, outside), text, of_urdf);
     if (warnings) warnings->insert(warnings->end(), of_urdf.begin(), of_urdf.end());
     return scene;
   } catch (const YAML::Exception& e) {  // from a conversion that the schema did not check
@@ -274,10 +302,11 @@ scene::Scene loadSceneText(const std::string& text, const std::string& source_na
   }
 }
 
-scene::Scene loadScene(const std::string& path, std::vector<std::string>* warnings) {
+scene::Scene loadScene(const std::string& path, std::vector<std::string>* warnings,
+                       const std::vector<std::string>& outside) {
   try {
     const std::string text = readTextFile(path, max_scene_bytes);
-    return loadSceneText(text, path, std::filesystem::path(path).parent_path().string(), warnings);
+    return loadSceneText(text, path, std::filesystem::path(path).parent_path().string(), warnings, outside);
   } catch (const FileError& e) {
     throw SceneError(path, 0, e.what());
   }

@@ -12,13 +12,15 @@ constexpr std::size_t max_scene_bytes = std::size_t(1) << 22;
 /// The largest count of numbers in the samples of a scene: 400 MB.
 constexpr double max_scene_numbers = 5e7;
 
-/// The scene of a file. The path of its URDF is relative to the folder of the file. Throws SceneError. If
-/// `warnings` is given, those of the URDF are added to it.
-scene::Scene loadScene(const std::string& path, std::vector<std::string>* warnings = nullptr);
+/// The scene of a file. Paths in it are relative to its folder, and lead into it or, for a *.urdf, into a folder beside
+/// it, or into one of the folders `outside`. Throws SceneError. If `warnings` is given, those of the URDF are added to it.
+scene::Scene loadScene(const std::string& path, std::vector<std::string>* warnings = nullptr,
+                       const std::vector<std::string>& outside = {});
 
-/// The scene of a text. Messages show source_name as FILE. URDF paths start at folder. Else like loadScene.
+/// The scene of a text. Messages show source_name as FILE. Its folder is `folder`. Else like loadScene.
 scene::Scene loadSceneText(const std::string& text, const std::string& source_name = "scene text",
-                           const std::string& folder = ".", std::vector<std::string>* warnings = nullptr);
+                           const std::string& folder = ".", std::vector<std::string>* warnings = nullptr,
+                           const std::vector<std::string>& outside = {});
 
 /// Every part with its keys, units and defaults, as the Markdown table of fixtures/scenes/README.md.
 std::string sceneSchema();

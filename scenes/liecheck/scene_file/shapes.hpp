@@ -21,7 +21,7 @@ std::vector<scene::Shape> shapesOfUrdf(const std::string& urdf, const Model<doub
 /// Adds the key `shapes`. It replaces the other shapes of each body that it names.
 void readShapes(const Text& text, const YAML::Node& shapes, scene::Scene& scene);
 
-/// Reads the key `ground`. Paths of files start at folder.
-void readGround(const Text& text, const YAML::Node& ground, const std::string& folder, scene::Scene& scene);
+/// Reads the key `ground`.
+void readGround(const Text& text, const YAML::Node& ground, scene::Scene& scene);
 
 }  // namespace liecheck::scene_file_detail

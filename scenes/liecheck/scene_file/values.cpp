@@ -58,6 +58,25 @@ std::string Text::word(const YAML::Node& node, const std::string& what) const {
   return node.Scalar();
 }
 
+std::string Text::path(const YAML::Node& node, const std::string& what) const {
+  namespace fs = std::filesystem;
+  const fs::path own = folder_.empty() ? "." : folder_,
+                 path = own / word(node, what);  // the word if it is absolute
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(fs::absolute(path), error);
+  const auto holds = [&](const fs::path& folder) {
+    std::error_code unknown;
+    const fs::path top = fs::canonical(folder, unknown);
+    return !error && !unknown && std::ranges::mismatch(top, real).in1 == top.end();
+  };
+  const bool robot = real.extension() == ".urdf";
+  if (!holds(own) && !(robot && holds(own / "..")) && std::ranges::none_of(outside_, holds))
+    refuse(node, what + ": '" + node.Scalar().substr(0, 200) + "' is outside of the scene's folder" +
+                     (robot ? " and of those beside it" : "") +
+                     ": copy it there, or allow its folder with --read-outside DIR");
+  return path.lexically_normal().string();
+}
+
 double Text::number(const YAML::Node& node, const std::string& what, const std::string& unit,
                     Kind kind) const {
   if (!node.IsScalar()) refuse(node, what + " is one number, not " + kindOf(node));
@@ -100,10 +119,10 @@ Value Text::table(const YAML::Node& node, const std::string& what, const std::st
       else
         choice.columns->push_back(word(columns, what + ".columns"));
     }
-    const std::filesystem::path path = std::filesystem::path(folder_) / word(node["file"], what + ".file");
+    const std::string path = this->path(node["file"], what + ".file");
     CsvTable csv = at(lineOf(node["file"]), [&] {
       try {
-        return readCsvTable(path.lexically_normal().string(), choice, unit);
+        return readCsvTable(path, choice, unit);
       } catch (const std::invalid_argument& e) {
         throw std::invalid_argument(what + ": " + e.what());
       }

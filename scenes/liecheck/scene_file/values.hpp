@@ -13,11 +13,12 @@ namespace liecheck::scene_file_detail {
 
 using multibody_detail::nearestNames;
 
-/// Reads the nodes of one scene file. Its messages begin with FILE:LINE. Paths of tables are relative to the folder.
+/// Reads the nodes of one scene file. Its messages begin with FILE:LINE.
 class Text {
  public:
-  explicit Text(std::string file, std::string folder = ".")
-      : file_(std::move(file)), folder_(std::move(folder)) {}
+  /// Files that the scene names lie in the folder of the scene, or in one of `outside`.
+  explicit Text(std::string file, std::string folder = ".", std::vector<std::string> outside = {})
+      : file_(std::move(file)), folder_(std::move(folder)), outside_(std::move(outside)) {}
   /// Throws SceneError.
   [[noreturn]] void refuse(int line, const std::string& what) const;
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
@@ -40,6 +41,9 @@ class Text {
     return entries[place(node, name, names, unknown)];
   }
   std::string word(const YAML::Node& node, const std::string& what) const;
+  /// The path of the file that the node names, with links resolved. Refuses one that lies elsewhere. A robot, a file
+  /// *.urdf, may also lie in a folder beside that of the scene.
+  std::string path(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, const std::string& unit,
                 scene::Kind kind = scene::Kind::Number) const;
   std::vector<double> numbers(const YAML::Node& node, const std::string& what, const std::string& unit,
@@ -69,6 +73,7 @@ class Text {
                      const Model<double>* model) const;
   scene::Value table(const YAML::Node& node, const std::string& what, const std::string& unit) const;
   std::string file_, folder_;
+  std::vector<std::string> outside_;
   mutable std::map<std::string, YAML::Node> fallbacks_;  ///< the defaults of keys that were read
 };
 
