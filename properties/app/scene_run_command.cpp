@@ -191,16 +191,24 @@ int run(const SceneRunFlags& flags) {
   for (const std::string& path : {scene.csv, scene.json, flags.checkpoint})
     if (!path.empty()) check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
-  const scene::Run run = scene::run(
-      scene,
-      [&](double share) {
-        progress->show(share, [&](double) {
-          return fmt::format("of {:g} s{}", scene.span.duration,
-                             share < 1 ? "" : "; now the estimate of its error");
-        });
-        return !stop_requested.load();
-      },
-      !flags.no_estimate, saving);
+  const auto goes_on = [&](double share) {
+    progress->show(share, [&](double) {
+      return fmt::format("of {:g} s{}", scene.span.duration,
+                         share < 1 ? "" : "; now the estimate of its error");
+    });
+    return !stop_requested.load();
+  };
+  const scene::Run run = [&] {
+    try {
+      return scene::run(scene, goes_on, !flags.no_estimate, saving);
+    } catch (const std::logic_error& e) {  // a state or a method's memory that no run of the scene has
+      if (!from) throw;
+      throw std::invalid_argument(flags.resume + ": " + e.what());
+    } catch (const scene::StepFailed& e) {
+      if (!from) throw;
+      throw std::invalid_argument(flags.resume + ": " + e.what());
+    }
+  }();
   progress.reset();
   const auto write_csv = [&] {
     if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));

@@ -161,6 +161,17 @@ std::vector<Hostile> all() {
        "$L scene sweep s.yaml --no-peers",
        "s.yaml:2: ground.mesh: ",
        {{"s.yaml", ball + "ground: {mesh: ../../outside/m.obj}" + end}}},
+      {"MeshOfAnAllowedFolder",
+       run + " --read-outside ../../outside",
+       "s: 0.002 s",
+       {{"s.yaml", ball + "ground: {mesh: ../../outside/m.obj}" + end}},
+       0},
+      {"RobotBeside",
+       run,
+       "s: 0.002 s",
+       {{"s.yaml", "robot: {urdf: ../robots/r.urdf}" + end},
+        {"../robots/r.urdf", "<robot name='r'>" + link_body + "</robot>"}},
+       0},
       // scenes that write
       output("CsvAbove", "csv: ../ran.csv", "csv: '../ran.csv' is outside of the working folder"),
       output("CsvAbsolute", "csv: '@/outside/ran.csv'", "csv: "),
@@ -198,7 +209,7 @@ std::vector<Hostile> all() {
       {"CheckpointOfHugeCounts",
        run + " --resume c",
        "c: is ",
-       {{"s.yaml", ball + end}, {"c", "liecheck checkpoint 1\n0 999999999999 "}}},
+       {{"s.yaml", ball + end}, {"c", "liecheck checkpoint 2\n0 999999999999 "}}},
       {"CheckpointOfEscapes", run + " --resume c", "c: is ", {{"s.yaml", ball + end}, {"c", esc}}},
       // robots
       urdf("RobotOfEntities",
@@ -237,6 +248,18 @@ std::vector<Hostile> all() {
       record("RecordWithMarks", "\xff\xfe{}", "not JSON"),
       record("RecordWithAStar", dumped(reports::with(reports::record(), "/*keys", 1)),
              "a member may not begin with a star"),
+      record("RecordWithAnAddressOfACommand",
+             dumped(reports::with(reports::full_record(), "/results/0/worst/id", "g4.1.x;touch ran")),
+             "field results[0].worst.id: expected the address of a case"),
+      {"TellingsOfMarks",
+       "$L adapter tellings --cases 1 --robot r.urdf --out o >log && $L robot o/plain.urdf",
+       "j\"><b>: nq",
+       {{"r.urdf", "<robot name='j&quot;&gt;&lt;b&gt;'>" + link_body +
+                       "<link name='&quot;/&gt;'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' "
+                       "ixy='0' ixz='0' iyz='0'/></inertial></link>"
+                       "<joint name='&quot;&gt;&lt;c' type='continuous'><parent link='a'/><child "
+                       "link='&quot;/&gt;'/></joint></robot>"}},
+       0},
       record("RecordOfTheLeague", league("/date", "\"d\""), ""),
       {"CostOfAnotherKind",
        "$L compare s.db s.db --cost r.json --cost r.json",

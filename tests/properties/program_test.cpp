@@ -272,6 +272,12 @@ TEST_F(Program, TextIsQuotedForAShellAndEscapedForATerminal) {
     EXPECT_EQ(shell("printf %s " + shell_quoted(word)).out, word);
   EXPECT_EQ(shell_quoted("a/b-c_1.urdf"), "a/b-c_1.urdf");
   EXPECT_EQ(printable("\xe6\x9c\xba a\xff\x80 \xe6\x9c"), "\xe6\x9c\xba a\\xff\\x80 \\xe6\\x9c");
+  // Marks that turn the direction of a line are no letters.
+  EXPECT_EQ(printable("a\xe2\x80\xae-\xe2\x81\xa6 \xe2\x80\xa6"),
+            "a\\xe2\\x80\\xae-\\xe2\\x81\\xa6 \xe2\x80\xa6");
+  for (const char* formula : {"=1+1", "@a", "-2+cmd|x", "-1p-3"})
+    EXPECT_EQ(liecheck::properties::csv_field(formula)[0] == '\'', formula != std::string("-1p-3"))
+        << formula;
   EXPECT_EQ(printable("a\n\t\x1b[31m\x7f\xc2\x9b\xc3\xa9"), "a\\n\\t\\x1b[31m\\x7f\\x9b\xc3\xa9");
 }
 

@@ -1,6 +1,7 @@
 // scene/saved_run.hpp: a run that continues a saved one gives the same bits as the whole run.
 
 #include <gtest/gtest.h>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -138,6 +139,43 @@ TEST(SavedRunOfTheProgram, ThatASignalStoppedIsResumedToTheSameCsv) {
   expectSaid(run + " --resume " + saved + " --csv " + rest, 0);
   EXPECT_EQ(contents(whole), contents(rest));
   EXPECT_GT(contents(whole).size(), 3000u);
+}
+
+TEST(SavedRunOfTheProgram, ThatWasChangedIsRefused) {
+  const std::string file =
+      written("changed.yaml",
+              "robot: {body: box, size: [1, 2, 3]}\ninitial: {angular_velocity: [1, 2, 3]}\n"
+              "integrator: {name: radau5, tolerance: 1e-9}\nduration: 20 ms\n"
+              "observers: [energy]\noutput: {every: 1 ms}\n");
+  const scene::Scene s = loadScene(file);
+  scene::SavedRun whole;
+  scene::run(s, {}, false, {.save = [&](const scene::SavedRun& run) { whole = run; }});
+  const auto error = [&](auto change) {
+    scene::SavedRun run = whole;
+    change(run);
+    try {
+      run = scene::savedRunOf(scene::textOf(run), s);
+      scene::run(s, {}, true, {.from = &run});
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string is = "is not a whole checkpoint: ";
+  EXPECT_EQ(error([](auto&) {}), "");
+  EXPECT_EQ(error([](auto& run) { run.sections.clear(); }), is + "a state is missing");
+  EXPECT_EQ(error([](auto& run) { run.sections.pop_back(); }), is + "a state is missing");
+  EXPECT_EQ(error([](auto& run) { run.sections[1].step = 0; }), is + "a state is missing");
+  EXPECT_EQ(error([](auto& run) { run.samples.erase(run.samples.begin() + 3); }), is + "a sample is missing");
+  EXPECT_EQ(error([](auto& run) { run.samples[2].step = 30; }),
+            is + "a state has another size than the scene's");
+  EXPECT_EQ(error([](auto& run) { run.samples[2].v[0] = NAN; }), is + "a number is not finite");
+  EXPECT_EQ(error([](auto& run) { run.memory.clear(); }), is + "what its method remembers has another size");
+  EXPECT_EQ(error([](auto& run) { run.memory.assign(3, 1); }),
+            is + "what its method remembers has another size");
+  std::string text = scene::textOf(whole);
+  text[text.size() / 2] ^= 1;
+  EXPECT_THROW(scene::savedRunOf(text, s), std::invalid_argument);
 }
 
 TEST(SavedRunOfTheProgram, ThatIsNoneOfTheSceneIsRefusedInOneLine) {

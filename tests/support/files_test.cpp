@@ -117,6 +117,12 @@ TEST_F(Files, ALockHoldsForEveryNameOfAFileAndDeletesNoFileOfOthers) {
   EXPECT_EQ(read(its), "another file");
 }
 
+TEST(JsonText, HasNoControlCharacters) {
+  const std::string text = "a\x7f\xc2\x9b\xc3\xa9";
+  EXPECT_EQ(dumped(text), "\"a\\u007f\\u009b\xc3\xa9\"");
+  EXPECT_EQ(parsed(dumped(text)), text);
+}
+
 TEST(JsonText, IsRefusedIfItIsNestedTooDeeply) {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   EXPECT_NO_THROW(parsed(nested(100)));

@@ -110,7 +110,14 @@ class Runner {
     for (const SavedState& s : saved_.sections) s.restore(now), sections.push_back({s.step, now});
     saved_.last.restore(now);
     method.begin(setup_.system, now);
-    method.recall(saved_.memory);
+    const char* size = "is not a whole checkpoint: what its method remembers has another size";
+    if (const auto least = method.memory(); least && saved_.memory.size() < least->size())
+      throw std::invalid_argument(size);
+    try {
+      method.recall(saved_.memory);
+    } catch (const std::out_of_range&) {
+      throw std::invalid_argument(size);
+    }
     setup_.system.switches().recall(saved_.history);
     span.first = saved_.last.step, result_.largest_turn = saved_.largest_turn, before_ = saved_.counts;
   }

@@ -1,7 +1,9 @@
 #include <liecheck/scene/saved_run.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <liecheck/scene/setup.hpp>
 
 namespace liecheck::scene {
@@ -128,6 +130,50 @@ class Reader {
   const char *at_, *end_;
 };
 
+constexpr const char* damaged = "is not a whole checkpoint: ";
+
+/// The last line of a checkpoint, which belongs to the text before it.
+std::string sealOf(const std::string& text) {
+  Digest digest;
+  digest.add(text);
+  return "seal " + std::to_string(digest.value()) + "\n";
+}
+
+/// Throws std::invalid_argument unless all numbers are finite, and the states until the last one are those that a run of
+/// this span keeps.
+void checkStates(const SavedRun& run, const Span& span) {
+  const auto refuse = [](const char* what) { throw std::invalid_argument(std::string(damaged) + what); };
+  const auto finite = [](const auto& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  };
+  const auto check = [&](const SavedState& s) {
+    if (!(std::isfinite(s.t) && finite(s.q) && finite(s.v) && finite(s.q_low) && finite(s.v_low)))
+      refuse("a number is not finite");
+  };
+  check(run.last);
+  if (!finite(run.memory)) refuse("a number is not finite");
+  const long last = run.last.step, parts = std::clamp(span.steps / 9, 1L, 64L),
+             longest = span.steps / parts + 1 + span.every;
+  long due = 0;
+  for (const SavedState& s : run.samples) {
+    check(s);
+    if (s.step > last) continue;
+    if (s.step != due) refuse("a sample is missing");
+    due = due == span.steps ? due + 1 : std::min(due + span.every, span.steps);
+  }
+  if (due <= last) refuse("a sample is missing");
+  long before = -1;
+  for (const SavedState& s : run.sections) {
+    check(s);
+    if (s.step > last) continue;
+    if (s.step <= before || s.step - std::max(before, 0L) > longest || (before < 0 && s.step > 0))
+      refuse("a state is missing");
+    before = s.step;
+  }
+  if (before < 0 || last - before > longest || (last == span.steps && before < last))
+    refuse("a state is missing");
+}
+
 }  // namespace
 
 std::uint64_t digestOf(const Scene& scene) {
@@ -157,18 +203,23 @@ std::string textOf(const SavedRun& run) {
   w.putAll(run.memory), w.putAll(run.history);
   w.put(run.counts.steps), w.put(run.counts.rejected), w.put(run.counts.iterations), w.put(run.largest_turn);
   w.put(run.last), w.put(run.samples), w.put(run.sections);
-  return w.text;
+  w.text += '\n';
+  return w.text + sealOf(w.text);
 }
 
 SavedRun savedRunOf(const std::string& text, const Scene& scene) {
   SavedRun run;
-  Reader r(text);
+  const std::size_t seal = text.rfind("\nseal ");
+  const std::string numbers = text.substr(0, seal == text.npos ? seal : seal + 1);
+  Reader r(numbers);
   long digest = 0;
   r.get(digest), run.digest = std::bit_cast<std::uint64_t>(digest);
   if (run.digest != digestOf(scene))
     throw std::invalid_argument(
         "is a checkpoint of another scene: robot, start, effects, integrator, times and observers must be "
         "the same");
+  if (text.substr(numbers.size()) != sealOf(numbers))
+    throw std::invalid_argument(std::string(damaged) + "it was changed");
   r.getAll(run.memory), r.getAll(run.history);
   r.get(run.counts.steps), r.get(run.counts.rejected), r.get(run.counts.iterations), r.get(run.largest_turn);
   r.get(run.last), r.get(run.samples), r.get(run.sections);
@@ -183,6 +234,7 @@ SavedRun savedRunOf(const std::string& text, const Scene& scene) {
     for (const SavedState& s : *states) all = all && fits(s);
   if (!all)
     throw std::invalid_argument("is not a whole checkpoint: a state has another size than the scene's");
+  checkStates(run, scene.span);
   return run;
 }
 
