@@ -160,7 +160,7 @@ Film film_of(const scene::Scene& s) {
 std::vector<StageCost> stage_costs() {
   std::vector<StageCost> all;
   for (const scene::Scene& s : {loadSceneText(flyer_text), loadSceneText(hinge_text), quadruped()})
-    for (const scene::Stage& stage : scene::plan(s, true).stages) {
+    for (const scene::Stage& stage : scene::plan(s, scene::Measuring()).stages) {
       StageCost c{s.name,     stage.name, stage.equation,    "",
                   stage.when, stage.why,  stage.nanoseconds, stage.instructions};
       for (const auto& e : scene::effectEntries<double>())

@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
                                  nullptr, {"/"});
   s.span = {h * double(steps), steps, steps};
   if (way == "counted") {
-    for (const scene::Stage& stage : scene::plan(s, true).stages)
+    for (const scene::Stage& stage : scene::plan(s, scene::Measuring{.every = true, .seconds = 1e9}).stages)
       if (stage.when == "step") std::printf("%ld\n", stage.instructions.value_or(0));
     return 0;
   }

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <liecheck/scene/count_instructions.hpp>
 
 #include "../lib/random_tree.hpp"
+#include "../sample.hpp"
 #include "bodies.hpp"
 
 namespace {
@@ -174,7 +177,7 @@ TEST(Kept, ServesOneEvaluationOfTheSameState) {
 TEST(CountInstructions, CountsEveryTurnOfALoop) {
   volatile int sum = 0;
   const auto counted = [&](int n) {
-    return sc::countInstructions([&] {
+    return sc::InstructionCounter().count([&] {
       for (int i = 0; i < n; ++i) sum = sum + i;
     });
   };
@@ -182,6 +185,49 @@ TEST(CountInstructions, CountsEveryTurnOfALoop) {
   if (!few) GTEST_SKIP() << "this machine does not count";
   EXPECT_GT(*many, *few + 200);
   EXPECT_EQ(*most - *many, *many - *few);
+}
+
+/// A sample of the calls of a robot on its feet, and one in a hurry, against each instruction.
+TEST(CountInstructions, CountsASampleToFivePercent) {
+  const std::string quadruped = std::string(LIECHECK_FIXTURES) + "/scenes/quadruped_drop.yaml";
+  std::vector<std::string> files{quadruped};
+  if (sample(0, 1))
+    for (const auto& f : std::filesystem::directory_iterator(std::filesystem::path(quadruped).parent_path()))
+      if (f.path().extension() == ".yaml") files.push_back(f.path());
+  for (const std::string& file : files) {
+    const sc::Scene s = loadScene(file);
+    const auto counted = [&](bool every, bool hurried) {
+      const auto method = sc::makeMethod<sc::Tree<double>>(s.integrator, s.options);
+      auto tree = sc::makeSystem<sc::Tree<double>>(s);
+      const auto start = sc::startOf(s, tree);
+      auto state = start;
+      method->begin(tree, start);
+      const auto steps = [&] {
+        state = start;
+        for (int n = 0; n < 3; ++n) method->step(tree, state, s.span.duration / double(s.span.steps));
+      };
+      steps();
+      return sc::InstructionCounter(every, 1e9, hurried ? 1e15 : 0).count(steps);
+    };
+    if (sc::methodInfo(s.integrator).lone_body_only) continue;
+    const auto all = counted(true, false);
+    if (!all) GTEST_SKIP() << "this machine does not count";
+    for (const bool hurried : {false, true})
+      EXPECT_NEAR(double(*counted(false, hurried)), double(*all), 0.05 * double(*all)) << file << hurried;
+  }
+}
+
+/// The budget is for all stages, and it ends a count.
+TEST(Plan, EndsCountingInTime) {
+  const sc::Scene s = loadScene(std::string(LIECHECK_FIXTURES) + "/scenes/quadruped_drop.yaml");
+  double at = 0;
+  const auto now = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+  const sc::Plan plan =
+      sc::plan(s, sc::Measuring{.seconds = 0.01, .timed = [&](const sc::Plan&) { at = now(); }});
+  EXPECT_LT(now() - at, 0.5);
+  EXPECT_FALSE(plan.stages.back().nanoseconds == std::nullopt);
 }
 
 TEST(Plan, CountsTheEvaluationsOfAStep) {
@@ -193,7 +239,7 @@ TEST(Plan, CountsTheEvaluationsOfAStep) {
           loadSceneText(box + "effects: " + effects +
                         "\ninitial: {angular_velocity: [1, 0, 0]}\nintegrator: {name: " + method +
                         ", step: 1 ms}\nduration: 1 s\n");
-      EXPECT_EQ(sc::plan(s, true).evaluations, evaluations) << method;
+      EXPECT_EQ(sc::plan(s, sc::Measuring{.seconds = 0}).evaluations, evaluations) << method;
     }
 }
 

@@ -8,16 +8,18 @@
 namespace liecheck::scene {
 namespace {
 
-/// The shortest time of one call in seven repetitions [ns]. Disturbances can only add time.
+/// The shortest time of one call in seven repetitions [ns], or in fewer if they take more than 10 ms. Disturbances can
+/// only add time.
 template <class F>
 double nanoseconds(F f) {
   using Clock = std::chrono::steady_clock;
   long times = 1;
-  double best = std::numeric_limits<double>::infinity();
-  for (int repetition = 0; repetition < 7;) {
+  double best = std::numeric_limits<double>::infinity(), all = 0;
+  for (int repetition = 0; repetition < 7 && (repetition == 0 || all < 0.01);) {
     const auto begin = Clock::now();
     for (long i = 0; i < times; ++i) f();
     const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+    all += took;
     if (took < 1e-4 && times < 1'000'000'000)
       times *= 4;
     else
@@ -37,40 +39,57 @@ class Spy final : public Effect<double> {
 template <class Sys>
 class Planner {
  public:
-  Planner(Setup<Sys>& setup, bool measured)
-      : setup_(setup), system_(setup.system), state_(setup.start), measured_(measured) {}
+  Planner(Setup<Sys>& setup, const std::optional<Measuring>& measuring)
+      : setup_(setup), system_(setup.system), state_(setup.start), measuring_(measuring) {}
 
   Plan plan() {
     plan_.kind = kindOf(setup_.scene);
-    if (measured_) plan_.evaluations = evaluations();
+    if (measuring_) plan_.evaluations = evaluations();
     addEvaluation();
     addStep();
     addSamples();
     leaveOut();
+    if (measuring_) count();
     return std::move(plan_);
   }
 
  private:
   static constexpr bool joint = std::is_same_v<Sys, LoneJoint<double>>;
   static constexpr bool lone = !joint && !std::is_same_v<Sys, Tree<double>>;
-  /// The longest time of a call whose instructions are counted [ns].
-  static constexpr double countable = 1e5;
   using Work = std::function<void()>;
+  using Count = std::function<std::optional<long>(const InstructionCounter&)>;
 
   /// Adds a stage. The work `before` it is neither timed nor counted.
   void add(std::string name, std::string equation, std::string when, std::string why, const Work& work,
            const Work& before = {}) {
     Stage stage{std::move(name), std::move(equation), std::move(when), std::move(why), {}, {}};
-    if (measured_) {
+    if (measuring_) {
       const auto all = [&] { before(), work(); };
       stage.nanoseconds = before ? std::max(0.0, nanoseconds(all) - nanoseconds(before)) : nanoseconds(work);
-      if (*stage.nanoseconds < countable) {
-        stage.instructions = countInstructions(before ? Work(all) : work);
-        if (const auto less = before ? countInstructions(before) : std::nullopt; less && stage.instructions)
-          *stage.instructions -= *less;
-      }
     }
     plan_.stages.push_back(std::move(stage));
+    counts_.push_back([=](const InstructionCounter& counter) { return counter.count(work, before); });
+  }
+  void count() {
+    if (measuring_->timed) measuring_->timed(plan_);
+    // Each stage is counted about once: of a step, what it does beside the evaluations, which it takes several of.
+    double all = 0, evaluation = 0;
+    for (const Stage& s : plan_.stages) {
+      if (s.when == "evaluation") evaluation += *s.nanoseconds;
+      all += std::max(0.0, s.nanoseconds.value_or(0) -
+                               (s.name.starts_with("step of") ? plan_.evaluations * evaluation : 0));
+    }
+    constexpr double most_a_nanosecond = 16;
+    const InstructionCounter counter(measuring_->every, measuring_->seconds, most_a_nanosecond * all);
+    // The cheap ones first, so that an expensive one takes no time from them. A step comes after its evaluations.
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+      if (counts_[i]) order.push_back(i);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return *plan_.stages[i].nanoseconds; });
+    for (const std::size_t i : order) {
+      if (measuring_->counts) measuring_->counts(plan_.stages[i]);
+      plan_.stages[i].instructions = counts_[i](counter);
+    }
   }
   static std::string reads(Kinematics k) {
     return k == Kinematics::Poses        ? "poses"
@@ -87,11 +106,13 @@ class Planner {
     Watched system(setup_.scene.model, effects);
     auto state = startOf(setup_.scene, system);
     const auto method = makeMethod<Watched>(setup_.scene.integrator, setup_.scene.options);
-    const long steps = std::min(setup_.scene.span.steps, 10L);
+    const long most = std::min(setup_.scene.span.steps, 10L);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
     method->begin(system, state);
-    for (long n = 0; n < steps; ++n) {
+    long steps = 0;
+    while (steps < most && (steps == 0 || std::chrono::steady_clock::now() < until)) {
       method->step(system, state, setup_.step());
-      state.t = double(n + 1) * setup_.step();
+      state.t = double(++steps) * setup_.step();
     }
     return double(spy->count) / double(steps);
   }
@@ -99,8 +120,7 @@ class Planner {
   void addEvaluation() {
     const auto& s = state_;
     const auto& effects = system_.effects();
-    auto a = s.v;
-    const Work equations = [&] { system_.equations(s.q, s.v, a); };
+    const Work equations = [&, a = s.v]() mutable { system_.equations(s.q, s.v, a); };
     if constexpr (lone) {
       if (!effects.empty())
         add("pose and twist of the body", "p = c - R p_BoBcm, u = R^T c_dot - omega x p_BoBcm", "evaluation",
@@ -126,8 +146,8 @@ class Planner {
   }
   void addEffects() {
     const auto& effects = system_.effects();
-    VectorX<double> tau = VectorX<double>::Zero(setup_.scene.model.nv);
-    std::vector<Force<double>> f(std::size_t(setup_.scene.model.njoints), Force<double>::Zero());
+    tau_ = VectorX<double>::Zero(setup_.scene.model.nv);
+    f_.assign(std::size_t(setup_.scene.model.njoints), Force<double>::Zero());
     using Named = std::pair<const PartInfo*, Effects<double>>;
     std::vector<Named> by_name;
     for (std::size_t i = 0; i < setup_.effects.size(); ++i) {
@@ -141,45 +161,54 @@ class Planner {
     for (const auto& [info, all] : by_name)
       add(info->name, info->equation, "evaluation",
           all.size() == 1 ? "effect of the scene" : std::to_string(all.size()) + " effects of the scene",
-          [&] {
-            for (const auto& effect : all) effect->add(now, {{tau.data(), std::size_t(tau.size())}, f});
+          [this, now, all] {
+            for (const auto& effect : all) effect->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
           });
   }
 
   void addStep() {
     const std::string& integrator = setup_.scene.integrator;
     const double h = setup_.step();
-    const auto method = makeMethod<Sys>(integrator, setup_.scene.options);
-    auto moving = state_;
-    const auto steps = [&](long n) {
-      moving = state_;
-      simulate(system_, *method, moving, {h * double(n), n, n}, [](const auto&, long) { return true; });
+    method_ = makeMethod<Sys>(integrator, setup_.scene.options);
+    moving_ = state_;
+    // The steps from `first` to n; from the start if first is 0.
+    const auto steps = [this, h](long first, long n) {
+      if (first == 0) *moving_ = state_;
+      return simulate(system_, *method_, *moving_, {h * double(n), n, n, first},
+                      [](const auto&, long) { return true; });
     };
-    const auto run = [&](long n) { return Work([&, n] { steps(n); }); };
+    const auto run = [&](long n) { return [&, n] { steps(0, n); }; };
     Stage stage{"step of " + integrator,
-                method->what().equation,
+                method_->what().equation,
                 "step",
-                setup_.scene.options.compensated.value_or(compensates(method->what()))
+                setup_.scene.options.compensated.value_or(compensates(method_->what()))
                     ? "all of the above, and compensated sums"
                     : "all of the above, stages and sums",
                 {},
                 {}};
-    if (measured_) {
+    if (measuring_) {
+      if (const Outcome o = steps(0, 4); o.diverged) throw StepFailed(o.why);
       stage.nanoseconds = std::max(0.0, nanoseconds(run(2)) - nanoseconds(run(1)));
-      if (*stage.nanoseconds < countable)
-        // The fewest of three steps, since one in which an event is located takes more.
-        for (long n = 1; n <= 3; ++n)
-          if (const auto more = countInstructions(run(n + 1)), less = countInstructions(run(n)); more && less)
-            stage.instructions = std::min(stage.instructions.value_or(*more), *more - *less);
     }
     plan_.stages.push_back(std::move(stage));
+    // The fewest of three steps, since one in which an event is located takes more.
+    counts_.push_back([steps](const InstructionCounter& counter) {
+      std::optional<long> fewest;
+      for (long n = 1; n <= 3 && !(fewest && counter.hurried()); ++n) {
+        const Work before = [&] { steps(0, n); };
+        const auto none = counter.count([&] { steps(n, n); }, before),
+                   one = counter.count([&] { steps(n, n + 1); }, before);
+        if (none && one) fewest = std::min(fewest.value_or(*one), *one - *none);
+      }
+      return fewest;
+    });
   }
 
   void addSamples() {
     if (setup_.every_step) {
       const Kinematics needs = setup_.every_step_needs;
       add((needs == Kinematics::None ? "state" : reads(needs)) + " every step", "", "step",
-          "an observer reads every step", [&] { setup_.look(state_, needs); });
+          "an observer reads every step", [this, needs] { setup_.look(state_, needs); });
     }
     if (setup_.needs != Kinematics::None)
       add(reads(setup_.needs) + " for observers", "", "sample", "observers read them",
@@ -188,19 +217,20 @@ class Planner {
       if (r.name == attitude_error_info.name) continue;
       // A new observer, since measuring changes what an observer accumulates.
       const ObserverEntry& entry = observerEntry(r.name);
-      const auto observer = entry.make(r.parameters, setup_.watched);
-      std::vector<double> row(observer->columns().size());
+      const std::shared_ptr<Observer> observer = entry.make(r.parameters, setup_.watched);
       const auto now = setup_.look(state_, setup_.needs);
       add(entry.info->name, entry.info->equation, "sample", "observer of the scene",
-          [&] { observer->sample(now, row); });
+          [observer, now, row = std::vector<double>(observer->columns().size())]() mutable {
+            observer->sample(now, row);
+          });
     }
     if (setup_.attitude_error)
-      plan_.stages.push_back({attitude_error_info.name,
-                              attitude_error_info.equation,
-                              "sample",
-                              "observer of the scene: a second run by gauss12",
-                              {},
-                              {}});
+      counts_.emplace_back(), plan_.stages.push_back({attitude_error_info.name,
+                                                      attitude_error_info.equation,
+                                                      "sample",
+                                                      "observer of the scene: a second run by gauss12",
+                                                      {},
+                                                      {}});
   }
 
   void leaveOut() {
@@ -236,14 +266,20 @@ class Planner {
   Setup<Sys>& setup_;
   Sys& system_;
   const State<Sys>& state_;
-  bool measured_;
+  const std::optional<Measuring>& measuring_;
   Plan plan_;
+  std::vector<Count> counts_;  ///< of the stages
+  // What the work of stages uses.
+  VectorX<double> tau_;
+  std::vector<Force<double>> f_;
+  std::unique_ptr<Method<Sys>> method_;
+  std::optional<State<Sys>> moving_;
 };
 
 }  // namespace
 
-Plan plan(const Scene& scene, bool measured) {
-  return withSetup(scene, [&](auto& setup) { return Planner(setup, measured).plan(); });
+Plan plan(const Scene& scene, const std::optional<Measuring>& measuring) {
+  return withSetup(scene, [&](auto& setup) { return Planner(setup, measuring).plan(); });
 }
 
 }  // namespace liecheck::scene

@@ -28,10 +28,17 @@ struct Plan {
   std::vector<Stage> stages;  ///< the last one of a step is the whole step
   std::vector<LeftOut> left_out;
 };
-/// If measured is true, every stage is timed, which takes about a millisecond each, and its instructions are counted,
-/// which takes about a second for 50,000. Throws
-/// std::invalid_argument if a part does not fit the robot, and SingularInertia for a joint without inertia.
-Plan plan(const Scene& scene, bool measured = false);
+/// What is measured of a plan: every stage is timed, which takes about a millisecond each, and then its instructions are
+/// counted (count_instructions.hpp).
+struct Measuring {
+  bool every = false;  ///< count each instruction instead of a sample
+  double seconds = 2;  ///< for counting; a stage that they do not suffice for has no count
+  std::function<void(const Plan&)> timed;    ///< called before anything is counted
+  std::function<void(const Stage&)> counts;  ///< called before the instructions of a stage are counted
+};
+/// Throws std::invalid_argument if a part does not fit the robot, SingularInertia for a joint without inertia, and, if
+/// measured, StepFailed if a step from the start fails.
+Plan plan(const Scene& scene, const std::optional<Measuring>& measuring = {});
 
 /// The columns of the samples of a run. Throws like plan().
 std::vector<Column> columnsOf(const Scene& scene);
