@@ -276,6 +276,64 @@ TEST(Units, AreConvertedToSi) {
   EXPECT_THROW(parseQuantity("0x10", "1"), std::invalid_argument);
 }
 
+/// What the program warns of when it reads a scene.
+std::string warningsOf(const std::string& text) {
+  std::vector<std::string> all;
+  loadSceneText(text + "integrator: {name: rkmk4, step: 1 ms}\nduration: 10 ms\n", "s.yaml", scenes.string(),
+                &all);
+  std::string lines;
+  for (const std::string& one : all) lines += one + "\n";
+  return lines;
+}
+
+TEST(Warnings, NameWhatASceneMayNotMean) {
+  const std::string ball = "robot: {body: ball, radius: 0.1, root: free_flyer}\n",
+                    effects = ball + "effects:\n  - ";
+  EXPECT_EQ(warningsOf(effects + "drag: {frame: body, linear: 1}\n"), "");
+  EXPECT_TRUE(has(warningsOf(effects + "drag: {frame: body, current: [1, 0, 0]}\n"),
+                  "s.yaml:3: this drag has no coefficient"));
+  EXPECT_TRUE(
+      has(warningsOf(effects + "wrench: {frame: body}\n"), "s.yaml:3: this wrench has no coefficient"));
+  const std::string fluid =
+      effects + "added_mass: {masses: [1, 1, 1]}\n  - drag: {frame: body, linear: 1, current: ";
+  EXPECT_EQ(warningsOf(fluid + "[0, 0, 0]}\n"), "");
+  EXPECT_TRUE(
+      has(warningsOf(fluid + "[1, 0, 0]}\n"), "in the current of the drag in line 4 its forces are wrong"));
+  const auto drop = [&](const char* z) {
+    return warningsOf(ball + "ground: {height: 0}\ninitial: {position: [0, 0, " + z +
+                      "]}\neffects: [gravity, {contact: {bodies: all, stiffness: 1e5}}]\n");
+  };
+  EXPECT_EQ(drop("0.0999"), "");  // where it would rest
+  EXPECT_TRUE(has(drop("-0.2"), "s.yaml:4: this contact begins 0.3 m below the ground"));
+  const auto leg = [&](const char* angle) {
+    return warningsOf("robot: {urdf: ../robots/quadruped.urdf}\ninitial: {joints: {front_left_knee: " +
+                      std::string(angle) + "}}\n");
+  };
+  EXPECT_TRUE(has(leg("40"), "s.yaml:2: joints begin beyond their limits: 'front_left_knee' at 40, limit "));
+}
+
+TEST(SceneFile, SaysWhatToWriteInsteadOfAUnitBehindAListOrAnUnknownOne) {
+  EXPECT_TRUE(has(refusalOfText(with(2, "initial: {attitude: [30, 0, 0] deg}")),
+                  "each number has its own unit: write [30 deg, 0 deg, 0 deg]"));
+  const std::string pounds = refusalOfText(with(1, "robot: {body: ball, radius: 1, mass: 1 lb}"));
+  EXPECT_TRUE(has(pounds, "unknown unit 'lb' in 'lb', the nearest are 'g', 'kg' and 't'") ||
+              has(pounds, "unknown unit 'lb' in 'lb', the nearest are 'g', 't' and 'kg'"))
+      << pounds;
+}
+
+TEST(SceneFile, AMimicJointHasNoStartOfItsOwn) {
+  const std::string tied = written(
+      "tied.urdf",
+      "<robot name='tied'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1' "
+      "ixy='0' ixz='0' iyz='0'/></inertial></link><link name='c'/><joint name='one' "
+      "type='continuous'><parent "
+      "link='a'/><child link='b'/></joint><joint name='two' type='continuous'><parent link='b'/><child "
+      "link='c'/><mimic joint='one'/></joint></robot>");
+  EXPECT_TRUE(has(refusalOfText("robot: {urdf: " + tied + ", root: fixed}\ninitial: {joints: {two: 1}}\n"),
+                  "joint 'two' has no coordinates because it mimics 'one'"));
+}
+
 TEST(Fixtures, EachSceneGivesItsReasonRunsAndStaysFinite) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(scenes)) {

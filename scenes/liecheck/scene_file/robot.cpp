@@ -189,6 +189,9 @@ void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene
     const Model<double>& m = scene.model;
     const bool angle = !velocity && m.nqs[i] == 2;
     const int count = velocity ? m.nvs[i] : angle ? 1 : m.nqs[i];
+    if (const auto* mimic = std::get_if<Mimic<double>>(&m.joints[i]))
+      text.refuse(entry.first, "joint '" + name + "' has no coordinates because it mimics '" +
+                                   m.names[std::size_t(mimic->primary)] + "': give that joint's");
     if (i == 0 || count == 0) text.refuse(entry.first, "joint '" + name + "' has no coordinates");
     const char* unit = velocity ? "rad/s|m/s" : "rad|m";
     const auto x = count == 1 && entry.second.IsScalar()

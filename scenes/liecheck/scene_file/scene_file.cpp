@@ -3,6 +3,7 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <liecheck/scene/observers/registry.hpp>
@@ -10,6 +11,7 @@
 #include <liecheck/scene_file/robot.hpp>
 #include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/scene_file/values.hpp>
+#include <liecheck/scene_file/warnings.hpp>
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/text/utf8.hpp>
 #include <map>
@@ -139,33 +141,6 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   }
 }
 
-/// Warns of each loop that is open at the start by more than the accepted error, or 1 mm or 1 mrad.
-void warnOfOpenLoops(const Text& text, const Scene& scene, std::vector<std::string>& warnings) {
-  const auto accepted = [](double stated) { return stated > 0 ? stated : 1e-3; };
-  for (const Request& r : scene.effects) {
-    if (r.name != "closed_loops") continue;
-    Data<double> data(scene.model);
-    forwardKinematics(scene.model, data, scene.q, scene.v);
-    scene::Now<double> now{};
-    now.X_WJ = data.oMi(), now.V = {data.v(), now.X_WJ, false};
-    const auto& names = r.parameters.names("frames");
-    std::size_t k = 0;
-    for (const auto& [a, b] : scene::pairsOf(r.parameters, scene.model)) {
-      const scene::Gap<double> gap(now, a, b);
-      const auto warn = [&](double size, double limit, const char* unit) {
-        if (size > limit)
-          warnings.push_back(text.file() + ":" + std::to_string(r.line) + ": the loop of '" + names[k] +
-                             "' and '" + names[k + 1] + "' is open by " + std::to_string(size) + unit +
-                             " at the start: give initial joints that close it");
-      };
-      warn(gap.r.head<3>().norm(), accepted(scene.accepted_position), " m");
-      if (r.parameters.word("type") == "weld")
-        warn(gap.r.tail<3>().norm(), accepted(scene.accepted_angle), " rad");
-      k += 2;
-    }
-  }
-}
-
 /// Follows the events of a YAML text, and refuses one whose aliases stand for more values than a scene text has room for.
 struct Documents final : YAML::EventHandler {
   YAML::Mark begin, now;
@@ -219,6 +194,25 @@ int lineOfSecondDocument(const std::string& content) {
   return second.begin.line + 1;
 }
 
+/// If a unit stands behind a list in the line or the one before it, says what to write.
+std::string unitBehindList(const std::string& content, int line) {
+  std::istringstream lines(content);
+  std::string now;
+  for (int k = 1; k <= line && std::getline(lines, now); ++k) {
+    const std::size_t open = now.rfind('['), close = now.find(']', std::min(open, now.size())),
+                      unit = now.find_first_not_of(" ]", close);
+    if (k < line - 1 || close == std::string::npos || unit == std::string::npos ||
+        !(std::isalpha(static_cast<unsigned char>(now[unit])) || now[unit] == '%'))
+      continue;
+    const std::string own = " " + now.substr(unit, now.find_first_of(" ,}#", unit) - unit);
+    std::string numbers = now.substr(open, close - open);
+    for (std::size_t at = 0; (at = numbers.find(',', at)) != std::string::npos; at += own.size() + 1)
+      numbers.insert(at, own);
+    return ": each number has its own unit: write " + numbers + own + "]";
+  }
+  return "";
+}
+
 Scene read(const Text& text, const std::string& content, std::vector<std::string>& warnings) {
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than the limit of a scene: " + std::to_string(max_scene_bytes) + " bytes");
@@ -231,7 +225,8 @@ Scene read(const Text& text, const std::string& content, std::vector<std::string
       text.refuse(line, "contains several documents: a scene is one document");
     root = YAML::Load(content);
   } catch (const YAML::Exception& e) {
-    text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is not YAML: " + e.msg);
+    const int line = e.mark.is_null() ? 0 : e.mark.line + 1;
+    text.refuse(line, "is not YAML: " + e.msg + unitBehindList(content, line));
   }
   if (!root.IsMap())
     text.refuse(0, "is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
@@ -282,7 +277,7 @@ Scene read(const Text& text, const std::string& content, std::vector<std::string
   scene.observers = requests(text, root["observers"], "observers", scene::observerEntries(), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);
-  warnOfOpenLoops(text, scene, warnings);
+  addWarnings(text, root, scene, warnings);
   return scene;
 }
 

@@ -1,5 +1,6 @@
 #include <liecheck/scene_file/units.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -42,17 +43,19 @@ const std::vector<Symbol>& symbols() {
   return all;
 }
 
-Unit symbolNamed(const std::string& name, const std::string& text) {
-  std::vector<std::string> names;
+/// The symbol in `text`. If there is none, names the nearest: of those of one of the dimensions, if there are any.
+Unit symbolNamed(const std::string& name, const std::string& text, const std::vector<Dimension>& wanted) {
+  std::vector<std::string> names, fitting;
   for (const Symbol& s : symbols()) {
     if (name == s.name) return s.unit;
     names.emplace_back(s.name);
+    if (std::ranges::find(wanted, s.unit.dimension) != wanted.end()) fitting.emplace_back(s.name);
   }
   throw std::invalid_argument("unknown unit '" + name + "' in '" + text + "'" +
-                              multibody_detail::nearestNames(name, names));
+                              multibody_detail::nearestNames(name, fitting.empty() ? names : fitting));
 }
 
-Unit parseUnit(const std::string& text) {
+Unit parseUnit(const std::string& text, const std::vector<Dimension>& wanted = {}) {
   Unit unit;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
@@ -62,7 +65,7 @@ Unit parseUnit(const std::string& text) {
     }
     const std::size_t end = std::min(text.find_first_of(" /^", i), text.size());
     const std::string name = text.substr(i, end - i);
-    const Unit symbol = symbolNamed(name, text);
+    const Unit symbol = symbolNamed(name, text, name == text ? wanted : std::vector<Dimension>());
     int power = 1;
     i = end;
     if (i < text.size() && text[i] == '^') {
@@ -106,9 +109,11 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
   if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not finite: write " + wanted);
   if (rest.empty()) return value;
-  const Unit given = parseUnit(rest);
-  for (const std::string& expected : alternatives(unit)) {
-    if (given.dimension != parseUnit(expected).dimension) continue;
+  std::vector<Dimension> dimensions;
+  for (const std::string& expected : alternatives(unit)) dimensions.push_back(parseUnit(expected).dimension);
+  const Unit given = parseUnit(rest, dimensions);
+  for (const Dimension& expected : dimensions) {
+    if (given.dimension != expected) continue;
     const double scaled = value * given.factor;
     if (!std::isfinite(scaled) || (scaled == 0 && value != 0))
       throw std::invalid_argument("'" + text + "' is outside the range of double");
