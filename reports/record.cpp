@@ -97,6 +97,19 @@ void check_measurement(std::string_view file, const std::string& kind, const Jso
     refuse(file, "verdict", "fail, as a row failed", record["verdict"]);
 }
 
+/// Refuses a record of another kind than a campaign's, and says which.
+void check_is_of_a_campaign(const std::string& file, const Json& record) {
+  if (!record.is_object() || record.contains("results")) return;
+  for (const auto& [member, what] : {std::pair("league", "the league"),
+                                     {"reference_ns", "times, which `liecheck cost` wrote"},
+                                     {"columns", "a run of a scene"},
+                                     {"spins", "a comparison of integrators"},
+                                     {"coefficients", "a sweep of floats"}})
+    if (record.contains(member))
+      throw std::runtime_error(
+          fmt::format("{}: is a record of {}, where that of a campaign is due", file, what));
+}
+
 }  // namespace
 
 const Json& list_in(const Json& object, const char* name) {
@@ -143,6 +156,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
       merged.measurements[*kind].push_back(std::move(record));
       continue;
     }
+    check_is_of_a_campaign(path, record);
     check_record(path, record);
     for (Json& row : record["results"]) {
       refuse_twice(

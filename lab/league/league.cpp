@@ -151,7 +151,7 @@ std::vector<Entry> read_roster(const std::string& file) {
 
 json read_league(const std::string& file) {
   json record = read_json(file);
-  if (!record.is_object() || record.value("league", json()) != 1 || !record.contains("libraries"))
+  if (!record.is_object() || !record.contains("league") || record["league"] != 1 || !record.contains("libraries"))
     throw std::invalid_argument(
         fmt::format("{}: is no record of the league, which `liecheck lab league --record` writes", file));
   RecordCheck(file).record(record);

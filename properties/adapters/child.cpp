@@ -11,10 +11,14 @@
 #include <unistd.h>
 
 #include <adapters/noise.hpp>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <support/stop.hpp>
+#include <utility>
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -161,10 +165,17 @@ void Child::wait_for_a_byte() {
 
 void Child::wait(int fd, short events, const std::string& late) {
   pollfd p{fd, events, 0};
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end_ - Clock::now()).count();
-  const int ready = left > 0 ? poll(&p, 1, static_cast<int>(left)) : 0;
-  if (ready == 0) throw TimedOut("the adapter " + late);
-  if (ready < 0 && errno != EINTR) fail("cannot be waited for");
+  for (;;) {
+    constexpr long look = 100;  // [ms] between two looks at whether the program must end
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end_ - Clock::now()).count();
+    const int ready = left > 0 ? poll(&p, 1, static_cast<int>(std::min<long>(left, look))) : 0;
+    if (ready > 0) return;
+    if (left <= 0) throw TimedOut("the adapter " + late);
+    if (ready < 0 && errno != EINTR) fail("cannot be waited for");
+    if (GivesUp::now()) throw GivenUp{};
+    if (!waiting_.empty() && Clock::now() > end_ - timeout_ + std::chrono::seconds(1) && isatty(2))
+      std::fprintf(stderr, "%s\n", std::exchange(waiting_, "").c_str());
+  }
 }
 
 void Child::read_some(const std::string& late) {

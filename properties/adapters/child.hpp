@@ -33,6 +33,8 @@ class Child {
   /// The next exchange may take the whole timeout.
   void begin();
   void write(const void* bytes, std::size_t size);
+  /// From now on, a wait of more than a second is said on a terminal, once.
+  void tell(const std::string& waiting) { waiting_ = waiting; }
   /// The next line, without its end. `due` names what is expected.
   std::string line(const std::string& due);
   void read(std::span<std::byte> to);
@@ -56,7 +58,7 @@ class Child {
   int errors_ = -1;  ///< a file in memory: nobody must read it for the child to go on
   pid_t pid_ = -1;
   bool ended_ = false;
-  std::string buffer_;
+  std::string buffer_, waiting_;
 };
 
 /// Starts the adapter that a Process speaks with, and starts it again after it failed.

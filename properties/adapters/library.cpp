@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
@@ -11,7 +12,7 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -74,28 +75,45 @@ std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) 
   return {module, entry};
 }
 
-/// While one exists, foreign code runs. If it calls exit() in this process, the program says so and is incomplete, instead of
-/// ending with the code of a pass.
+/// The function that runs.
+struct Where {
+  const char* library = nullptr;
+  std::string_view operation;
+};
+
+/// While one exists, foreign code runs. If it ends this process by exit() or by a crash, the program says so and is
+/// incomplete, instead of ending with the code of a pass or without a word.
 class Inside {
  public:
-  Inside() { ++count(); }
+  Inside(const char* library, std::string_view operation) : before_(now) { now = {library, operation}; }
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
-  ~Inside() { --count(); }
+  ~Inside() { now = before_; }
   static void watch() {
     static const int registered = std::atexit([] {
-      if (count() == 0) return;
-      std::fputs("liecheck: a function of an adapter in this process ended the program by exit()\n", stderr);
-      std::_Exit(3);
+      if (now.library) end("exit()");
     });
     (void)registered;
+    for (const int crash : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+      if (const auto earlier = std::signal(crash, on_crash); earlier != SIG_DFL) std::signal(crash, earlier);
   }
 
  private:
-  static std::atomic<int>& count() {
-    static std::atomic<int> all{0};
-    return all;
+  static void on_crash(int number) {
+    if (now.library) end("the signal SIG", ::sigabbrev_np(number));
+    std::signal(number, SIG_DFL), std::raise(number);
   }
+  /// Only functions that are safe in the handler of a signal.
+  [[noreturn]] static void end(std::string_view how, std::string_view signal = "") {
+    for (const std::string_view part :
+         {std::string_view("liecheck: "), std::string_view(now.library), std::string_view(": "),
+          now.operation, std::string_view(" ended the program, in whose process it runs, by "), how, signal,
+          std::string_view("\n")})
+      if (::write(2, part.data(), part.size()) < 0) break;
+    ::_exit(3);
+  }
+  static inline thread_local Where now;
+  Where before_;
 };
 
 /// An adapter of version 1 or 2, with NULL for what version 1 does not have.
@@ -233,7 +251,7 @@ class Library final : public Adapter {
     if (known != models_.end()) return known->second;
     const FloatEnvironment environment;
     const FlatModel model(text);
-    const Inside inside;
+    const Inside inside(adapter_.name, "open_model");
     void* const handle = adapter_.open_model(adapter_.context, &model.model());
     if (!handle)
       return why = "the model is refused: " + (reason().empty() ? "the adapter gave no reason" : reason()),
@@ -269,9 +287,9 @@ class Library final : public Adapter {
   static std::size_t index(const Batch& b) {
     return static_cast<std::size_t>(&b.operation - all_sizes().data());
   }
-  static std::string called(const Batch& b, const CFunction& function) try {
+  std::string called(const Batch& b, const CFunction& function) const try {
     std::ranges::fill(b.status, Status::done);
-    const Inside inside;
+    const Inside inside(adapter_.name, b.operation.operation);
     function(b.n, b.inputs.data(), b.results.data(), reinterpret_cast<unsigned char*>(b.status.data()));
     for (const Status s : b.status)
       if (s > Status::refused)

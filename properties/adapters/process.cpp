@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <support/json.hpp>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties::adapters {
@@ -46,8 +47,18 @@ Description described(const std::string& line) {
         quoted(line), what));
   };
   nlohmann::json j;
+  std::vector<std::set<std::string>> members;  // of the objects that are open
   try {
     j = parsed(line);
+    (void)nlohmann::json::parse(line,
+                                [&](int, nlohmann::json::parse_event_t event, const nlohmann::json& value) {
+                                  using Event = nlohmann::json::parse_event_t;
+                                  if (event == Event::object_start) members.emplace_back();
+                                  if (event == Event::object_end) members.pop_back();
+                                  if (event == Event::key && !members.back().insert(value).second)
+                                    throw wrong(fmt::format("has '{}' twice", value.get<std::string>()));
+                                  return true;
+                                });
   } catch (const nlohmann::json::exception&) {
     throw wrong("is no JSON");
   }
@@ -94,6 +105,7 @@ class Process : public Adapter {
  public:
   const Description& description() const final { return description_; }
   std::string call(const Batch& b) final try {
+    if (GivesUp::now()) throw GivenUp{};
     if (!child_) start();
     child_->set_timeout(b.of_many ? std::min(timeout_s_, of_many_s) : timeout_s_);
     return exchange(*child_, b);
@@ -104,6 +116,11 @@ class Process : public Adapter {
   } catch (const AdapterFailed& e) {
     end(b, e.what());
     throw;
+  } catch (const GivenUp&) {
+    if (child_)
+      say_failed(description_.name, b.operation.operation, "the adapter gave no answer before the end", "");
+    child_.reset();
+    throw;
   }
 
  protected:
@@ -113,7 +130,9 @@ class Process : public Adapter {
     child_->begin();
     const std::string hello = std::string(greeting) + "\n";
     child_->write(hello.data(), hello.size());
+    child_->tell("waiting for an adapter to describe itself");
     description_ = described(child_->line("its description"));
+    child_->tell("");
   }
 
  private:

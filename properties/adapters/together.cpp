@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <support/stop.hpp>
 #include <support/together.hpp>
 #include <vector>
 
@@ -13,9 +14,12 @@ struct Call : Question {
   const Batch& batch;
   std::string why;
   std::optional<AdapterFailed> failed;
+  bool given_up = false;
 
   void alone() try { why = adapter.call(batch); } catch (const AdapterFailed& e) {
     failed = e;
+  } catch (const GivenUp&) {
+    given_up = true;
   }
   bool like(const Call& o) const {
     return &adapter == &o.adapter && &batch.operation == &o.batch.operation &&
@@ -45,6 +49,8 @@ bool called_at_once(std::span<Question* const> calls) try {
   return true;
 } catch (const AdapterFailed&) {
   return false;
+} catch (const GivenUp&) {
+  return false;  // so that each is given up alone
 }
 
 void answer(std::span<Question* const> all) {
@@ -65,6 +71,7 @@ std::string call_together(Adapter& adapter, const Batch& one) {
   if (!can_wait()) return adapter.call(one);
   Call call{{answer}, adapter, one, "", std::nullopt};
   wait_for_answer(call);
+  if (call.given_up) throw GivenUp{};
   if (call.failed) throw *call.failed;
   return call.why;
 }

@@ -17,7 +17,7 @@ struct AdapterCheckFlags {
 int check(const AdapterCheckFlags& f) try {
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
-  say("{} {}: {} functions\n", d.name, d.version, d.offered.size());
+  say("{} {}: {} function{}\n", d.name, d.version, d.offered.size(), d.offered.size() == 1 ? "" : "s");
   const adapters::Checked all = adapters::check(*adapter);
   std::size_t wrong = 0;
   for (const adapters::CheckedOperation& o : all.operations) {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <adapters/subjects.hpp>
+#include <adapters/trees.hpp>
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
@@ -109,7 +111,9 @@ void print_series(const Series& series, const Tally& tally) {
                       status),
              expected && !failed ? ", with expected failures" : "",
              (failed || cliff) && open ? ", not all measured" : "",
-             outside ? fmt::format(", {} cases outside the domain", outside) : "");
+             outside ? fmt::format(", judged in {} cases alone, {} are outside the domain",
+                                   tally.cases - outside, outside)
+                     : "");
 }
 
 /// Prints each cliff, with the worst case of its band, and what became of the expected failures.
@@ -142,6 +146,17 @@ void print_not_measured(const CampaignResult& r, bool all) {
         break;
       }
   }
+}
+
+/// The adapters whose functions on trees are not called, since they take no trees but those of URDFs, and none is given.
+std::vector<std::string> without_trees(const CampaignFlags& f) {
+  std::vector<std::string> names;
+  for (const std::string& adapter : f.selection.adapters.adapters)
+    if (const auto* d = adapters::description_of(adapter);
+        d && !d->models.contains("joints") && f.cases.robot.file.empty() && f.selection.properties.empty() &&
+        (adapters::offers_trees(*d, "float") || adapters::offers_trees(*d, "double")))
+      names.push_back(d->name);
+  return names;
 }
 
 void print_oracles(const CampaignResult& r) {
@@ -185,6 +200,11 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   print_failures(r, f.all);
   print_cliffs(r);
   print_not_measured(r, f.all);
+  for (const std::string& name : without_trees(f))
+    fmt::print(
+        "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
+        "--robot\n",
+        name);
   print_oracles(r);
   print_coverage(r, f.verbose);
   say("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
@@ -238,8 +258,9 @@ int run(const CampaignFlags& f) {
   const auto hard_cases = replay_hard_cases(f, selection, robot);
   if (stop_requested)
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
-  const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
+  auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
+  if (!without_trees(f).empty()) done->result.measured = false;
   int code = incomplete;
   do_both(
       [&] {

@@ -101,12 +101,15 @@ nlohmann::json record_of_lab(std::vector<std::string> words, const std::string& 
   }
   ::close(nothing);
   int status = 0;
-  bool told = false;
+  constexpr int patience = 60;  // looks, after which the laboratory is ended, which may be within a long step
+  int told = 0;
   for (pid_t ended = 0; ended != id;) {
     ended = ::waitpid(id, &status, WNOHANG);
     if (ended < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), words.front());
     if (ended == id) break;
-    if (stop_requested && !std::exchange(told, true)) ::kill(id, SIGTERM);
+    if (stop_requested && told <= patience)
+      if (const int before = told++; before == 0 || before == patience)
+        ::kill(id, before == 0 ? SIGTERM : SIGKILL);
     ::usleep(20'000);
   }
   nlohmann::json record;

@@ -133,6 +133,8 @@ class Engine {
   void work() {
     std::size_t s = 0;
     std::uint64_t from = 0, to = 0;
+    const auto limit = std::chrono::duration<double>(o_.seconds.value_or(1e8) + 1);
+    const GivesUp slow_calls(start_ + std::chrono::duration_cast<Clock::duration>(limit));
     try {
       while (take(s, from, to)) {
         const auto start = Clock::now();

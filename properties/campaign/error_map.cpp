@@ -5,6 +5,7 @@
 #include <generators/random_bits.hpp>
 #include <invariants/property.hpp>
 #include <numbers>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 
@@ -146,9 +147,12 @@ std::vector<ErrorMap> error_maps(const CampaignResult& campaign) {
     if (has_map(*s.series)) series.push_back(s.series.get());
   std::vector<std::vector<ErrorMap>> found(series.size());
   std::atomic<std::size_t> next{0};
+  Steps steps("maps of errors", series.size());
   run_on_threads(std::max(campaign.options.jobs, 1u), stop_requested, [&] {
-    for (std::size_t i; (i = next++) < series.size() && !stop_requested;)
+    for (std::size_t i; (i = next++) < series.size() && !stop_requested;) {
       found[i] = maps_of(*series[i], campaign.options.seed);
+      steps.done(series[i]->property);
+    }
   });
   std::vector<ErrorMap> all;
   for (auto& maps : found) std::ranges::move(maps, std::back_inserter(all));

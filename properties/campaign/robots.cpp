@@ -1,8 +1,10 @@
 #include <campaign/robots.hpp>
 
+#include <algorithm>
 #include <campaign/digest.hpp>
 #include <generators/random_bits.hpp>
 #include <liecheck/urdf/urdf.hpp>
+#include <span>
 #include <support/embedded.hpp>
 #include <support/text.hpp>
 
@@ -22,6 +24,10 @@ Robot robot_of(const std::string& urdf, const std::string& path, bool fixed,
     if (model.nqs[j] == 4)
       throw UrdfError(source, 0, "a planar joint: no law supports one yet", model.names[j]);
   r.name = model.name;
+  if (std::ranges::all_of(std::span(model.inertias).subspan(1), [](const auto& i) { return i.mass() == 0; }))
+    read.warnings.push_back(source +
+                            ": no body that moves has a mass: it has no centre of mass, so that the law "
+                            "tree_momentum does not apply, and what solves with M is undefined");
   if (warnings) *warnings = std::move(read.warnings);
   return r;
 }

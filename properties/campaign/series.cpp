@@ -14,6 +14,7 @@
 #include <subjects/other_libraries.hpp>
 #include <subjects/remote.hpp>
 #include <support/float_environment.hpp>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 #include <support/together.hpp>
 
@@ -137,23 +138,26 @@ void Series::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {
   add(c, seed, tally);
 }
 
-std::uint64_t Series::run(std::uint64_t seed, Range cases, Tally& tally,
-                          const std::atomic<bool>& stop) const {
+std::uint64_t Series::run(std::uint64_t seed, Range cases, Tally& tally, const std::atomic<bool>& stop) const
+    try {
   auto& [next, last] = cases;
   if (together_) {
     Window window;
     while (next < last && !stop) {
       std::vector<Case> all;
-      for (std::uint64_t n = window.next(last - next); n > 0; --n) all.push_back(generated(seed, next++));
+      for (std::uint64_t n = window.next(last - next), k = 0; k < n; ++k)
+        all.push_back(generated(seed, next + k));
       std::vector<CallLog*> own(all.size());
       run_together(
           all.size(), [&](std::size_t k) { measure(all[k]); },
           [&](std::size_t k) { std::swap(CallLog::current(), own[k]); });
-      for (const Case& c : all) add(c, seed, tally);
+      for (const Case& c : all) add(c, seed, tally), ++next;
     }
   }
   for (; next < last && !stop; ++next) run(seed, next, tally);
   return next;
+} catch (const GivenUp&) {
+  return cases.first;
 }
 
 auto Series::generated(std::uint64_t seed, std::uint64_t index) const -> Case {

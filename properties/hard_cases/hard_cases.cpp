@@ -7,6 +7,7 @@
 #include <hard_cases/attempt.hpp>
 #include <invariants/tree_laws.hpp>
 #include <stdexcept>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 #include <tuple>
@@ -154,9 +155,12 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::vector<char> ran(tasks.size(), 0);
+  Steps steps("hard cases", tasks.size());
   run_on_threads(jobs, stop, [&] {
-    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++)
+    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
       ran[i] = run(tasks[i]);
+      steps.done(tasks[i].row.entry->name);
+    }
   });
   std::vector<HardRow> rows;
   for (std::size_t i = 0; i < tasks.size(); ++i)

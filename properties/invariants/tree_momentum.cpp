@@ -1,5 +1,6 @@
 // The momentum of a floating robot, the matrix A_g with h = A_g v, and the conservation of momentum.
 
+#include <algorithm>
 #include <invariants/tree_law.hpp>
 
 namespace liecheck::properties {
@@ -75,6 +76,9 @@ class TreeMomentum final : public TreeLaw<TreeMomentum> {
   }
   bool exists(const Output& output) const override {
     const auto robot = this->users_tree();
+    // Without any mass there is no centre of mass.
+    if (robot && std::ranges::all_of(robot->tree.joints, [](const auto& j) { return j.body.mass == 0; }))
+      return false;
     return !robot || output.record != conserved.record || (floats(robot->tree) && !is_held(robot->tree));
   }
 

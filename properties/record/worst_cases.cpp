@@ -7,6 +7,7 @@
 #include <failures/result.hpp>
 #include <record/record.hpp>
 #include <support/json_number.hpp>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 
@@ -46,6 +47,7 @@ void add_compared_numbers(json& record, const CampaignResult& campaign,
   const std::vector<Place> places = places_of(campaign);
   std::vector<Comparison> found(rows.size());
   std::atomic<std::size_t> next{0};
+  Steps steps("numbers of the worst cases", rows.size());
   run_on_threads(std::max(campaign.options.jobs, 1u), stop_requested, [&] {
     for (std::size_t i; (i = next++) < rows.size() && !stop_requested;) {
       const auto& [series, output] = places.at(rows[i]);
@@ -53,6 +55,7 @@ void add_compared_numbers(json& record, const CampaignResult& campaign,
       const CaseId id = CaseId::parse(worst["id"].get<std::string>());
       const Output& of = series->outputs.at(output);
       found[i] = comparison_of(*series, of, noted(*series, id, output), most_numbers);
+      steps.done(std::string(of.operation));
     }
   });
   for (std::size_t i = 0; i < rows.size(); ++i) {

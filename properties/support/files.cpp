@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_bytes = std::size_t(1) << 30;
-
 [[noreturn]] void refuse(const fs::path& file, const char* what, const std::string& why) {
   throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), what, why));
 }
@@ -82,7 +80,7 @@ Target target_of(fs::path file) {
 
 }  // namespace
 
-std::string read_whole(const fs::path& file) {
+std::string read_whole(const fs::path& file, std::size_t most_bytes) {
   constexpr const char* what = "cannot be read";
   // Without O_NONBLOCK, open would wait for a writer of a FIFO.
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
@@ -98,7 +96,7 @@ std::string read_whole(const fs::path& file) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse(file, what, std::strerror(errno));
     bytes.append(part, static_cast<std::size_t>(n));
-    if (bytes.size() > max_bytes) refuse(file, what, fmt::format("longer than {} bytes", max_bytes));
+    if (bytes.size() > most_bytes) refuse(file, what, fmt::format("longer than {} bytes", most_bytes));
   }
   if (pipe && bytes.empty()) refuse(file, what, "a pipe without a writer");
   return bytes;

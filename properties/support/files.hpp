@@ -9,9 +9,9 @@
 
 namespace liecheck::properties {
 
-/// Returns the bytes of a regular file, or of a pipe that has a writer; at most 1 GiB. The file is opened
+/// Returns the bytes of a regular file, or of a pipe that has a writer; by default at most 1 GiB. The file is opened
 /// once. Throws std::runtime_error naming the file.
-std::string read_whole(const std::filesystem::path& file);
+std::string read_whole(const std::filesystem::path& file, std::size_t most_bytes = std::size_t(1) << 30);
 
 /// A new, empty file in the folder of `file`. It takes the place of `file`, with its mode, or the destructor
 /// removes it. As long as it exists, a signal does not end the program.

@@ -8,6 +8,7 @@ namespace liecheck::properties {
 namespace {
 
 /// Numbers that the compiler does not know.
+volatile long double long_one = 1, long_tiny = std::numeric_limits<long double>::epsilon();
 volatile double one = 1, tiny = std::numeric_limits<double>::epsilon() / 4,
                 smallest = std::numeric_limits<double>::denorm_min(),
                 small = std::numeric_limits<double>::min();
@@ -15,6 +16,10 @@ volatile double one = 1, tiny = std::numeric_limits<double>::epsilon() / 4,
 }  // namespace
 
 std::string unusual_arithmetic() {
+#ifdef __GLIBC__
+  if (fegetexcept() != 0) return "traps floating-point exceptions";
+#endif
+  if (long_one + long_tiny == 1) return "rounds long double to fewer bits";
   const bool up = one + tiny != 1, minus_up = -one + -tiny != -1, minus_down = one - tiny != 1;
   std::string what;
   if (up && minus_up)

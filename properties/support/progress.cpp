@@ -59,4 +59,11 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
   std::fflush(stderr);
 }
 
+Steps::Steps(std::string what, std::size_t all) : progress_(std::move(what), isatty(2) == 0), all_(all) {}
+
+void Steps::done(const std::string& piece) {
+  const std::lock_guard lock(mutex_);
+  progress_.show(static_cast<double>(++done_) / static_cast<double>(all_), piece);
+}
+
 }  // namespace liecheck::properties

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace liecheck::properties {
@@ -30,6 +31,18 @@ class Progress {
   bool terminal_, quiet_, open_ = false;
   Clock::time_point start_;
   double shown_ = 0;
+};
+
+/// Shows on a terminal how many of equal pieces of work, of several threads, are done; elsewhere nothing.
+class Steps {
+ public:
+  Steps(std::string what, std::size_t all);
+  void done(const std::string& piece);
+
+ private:
+  Progress progress_;
+  std::mutex mutex_;
+  std::size_t done_ = 0, all_;
 };
 
 }  // namespace liecheck::properties

@@ -6,6 +6,7 @@
 // or an unfinished file, it sets stop_requested, and the command ends with what was done.
 
 #include <atomic>
+#include <chrono>
 
 namespace liecheck::properties {
 
@@ -24,6 +25,25 @@ class Unfinished {
  private:
   static inline std::atomic<int> count_{0};
   static_assert(std::atomic<int>::is_always_lock_free);  // a signal handler reads it
+};
+
+/// Thrown by a call that is given up because the program must end: its case is dropped. It is no std::exception, so that
+/// no law takes it for a refusal.
+struct GivenUp {};
+
+/// While one exists, slow calls of adapters on this thread are given up at stop_requested and after `until`.
+class GivesUp {
+ public:
+  using Clock = std::chrono::steady_clock;
+  explicit GivesUp(Clock::time_point until) { until_ = until; }
+  ~GivesUp() { until_ = never; }
+  GivesUp(const GivesUp&) = delete;
+  GivesUp& operator=(const GivesUp&) = delete;
+  static bool now() { return until_ != never && (stop_requested || Clock::now() > until_); }
+
+ private:
+  static constexpr Clock::time_point never = Clock::time_point::max();
+  static inline thread_local Clock::time_point until_ = never;
 };
 
 }  // namespace liecheck::properties

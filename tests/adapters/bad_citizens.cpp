@@ -1,5 +1,5 @@
 // A shared library whose functions behave badly in one of many ways, which LIECHECK_BAD names. Each input with
-// |phi_x| between 0.5 and 1 makes it do so; for the others, its exp3_quaternion is right.
+// |phi_x| between 0.5 and 1 makes it do so, or every input in the way `always`; for the others, its exp3_quaternion is right.
 
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ double last_x = 0, previous_x = 0;
 void misbehave(double* phi, double* Q, unsigned char* status) {
   if (way() == "segfault") std::raise(SIGSEGV);
   if (way() == "abort") std::abort();
-  if (way() == "loop")
+  if (way() == "loop" || way() == "always")
     while (!never) {
     }
   if (way() == "exit") std::exit(0);
@@ -62,7 +62,7 @@ void exp3_quaternion(size_t n, const void* inputs, void* results, unsigned char*
     double* const Q = static_cast<double*>(results) + 4 * i;
     const double x = phi[0], y = phi[1], z = phi[2], theta = std::hypot(x, y, z);
     const double s = theta > 1e-8 ? std::sin(theta / 2) / theta : 0.5;
-    const bool bad = std::fabs(x) >= 0.5 && std::fabs(x) <= 1;
+    const bool bad = way() == "always" || (std::fabs(x) >= 0.5 && std::fabs(x) <= 1);
     Q[0] = s * x, Q[1] = s * y, Q[2] = s * z;
     if (!(bad && way() == "unwritten")) Q[3] = std::cos(theta / 2);
     if (way() == "threads") {

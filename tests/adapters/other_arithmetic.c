@@ -1,4 +1,5 @@
 /* Preloaded into a program, changes its arithmetic as the variable LIECHECK_ARITHMETIC says. */
+#define _GNU_SOURCE
 #include <fenv.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,15 @@ __attribute__((constructor)) static void change(void) {
   if (!how) return;
   if (strcmp(how, "up") == 0) fesetround(FE_UPWARD);
   if (strcmp(how, "zero") == 0) fesetround(FE_TOWARDZERO);
+  if (strcmp(how, "trap") == 0) feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+#ifdef __x86_64__
+  if (strcmp(how, "x87") == 0) {
+    unsigned short control;
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+    control &= (unsigned short)~0x300;
+    __asm__ volatile("fldcw %0" : : "m"(control));
+  }
+#endif
 #ifdef __SSE__
   if (strcmp(how, "flush") == 0) _mm_setcsr(_mm_getcsr() | 0x8040);
 #endif

@@ -82,6 +82,11 @@ TEST(Adapters, ADescriptionThatIsWrongIsRefusedInWords) {
   EXPECT_NE(refusal(R"({"protocol": 1, "name": "a", "version": "1", "operations": {"exp6": ["half"]}})")
                 .find("neither \"float\" nor \"double\""),
             std::string::npos);
+  EXPECT_NE(
+      refusal(
+          R"({"protocol": 1, "name": "a", "version": "1", "operations": {"exp6": ["float"], "exp6": ["double"]}})")
+          .find("has 'exp6' twice"),
+      std::string::npos);
   EXPECT_NE(failure_of("/does/not/exist").find("the shell did not find the command"), std::string::npos);
 }
 

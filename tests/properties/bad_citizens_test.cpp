@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -147,15 +148,61 @@ INSTANTIATE_TEST_SUITE_P(
         BadWay{"threads", "not_repeatable", "when two threads call at the same time", 3000}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST(BadCitizens, ThatEndTheProgramDoNotPass) {
-  FILE* const out = popen(
-      "LIECHECK_BAD=exit " LIECHECK_PROGRAM
-      " campaign --no-hard-cases --property exp_oracle --adapter in-process:" LIECHECK_BAD_CITIZENS " 2>&1",
-      "r");
+/// The exit code and the output of a command.
+std::pair<int, std::string> said_by(const std::string& command) {
+  FILE* const out = popen((command + " 2>&1").c_str(), "r");
   std::string text;
   for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-  EXPECT_EQ(WEXITSTATUS(pclose(out)), 3) << text;
-  EXPECT_NE(text.find("ended the program by exit()"), text.npos) << text;
+  return {WEXITSTATUS(pclose(out)), text};
+}
+
+TEST(BadCitizens, ThatEndTheProgramAreNamedAndDoNotPass) {
+  for (const auto& [way, how] :
+       {std::pair("exit", "exit()"), {"abort", "the signal SIGABRT"}, {"segfault", "the signal SIGSEGV"}}) {
+    const auto [code, text] = said_by(std::string("LIECHECK_BAD=") + way +
+                                      " " LIECHECK_PROGRAM
+                                      " campaign --no-hard-cases --no-probe --property exp_oracle "
+                                      "--adapter in-process:" LIECHECK_BAD_CITIZENS);
+    EXPECT_EQ(code, 3) << text;
+    const std::string words = std::string("ended the program, in whose process it runs, by ") + how;
+    EXPECT_NE(text.find(words), text.npos) << text;
+    EXPECT_NE(text.find("liecheck: bad: exp"), text.npos) << text;
+  }
+}
+
+// Each input loops: a time limit or a signal does not wait for all of them.
+TEST(BadCitizens, ThatNeverAnswerEndWithTheCampaignAndAreNamed) {
+  for (const char* stop : {"--for 1s", "--cases 1000000 & p=$!; sleep 4; kill -TERM $p; wait $p"}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto [code, text] = said_by(
+        std::string(
+            "(LIECHECK_BAD=always timeout 60 " LIECHECK_PROGRAM
+            " campaign --no-hard-cases --no-probe --property exp_oracle -j 1 --adapter " LIECHECK_BAD_CITIZENS
+            " ") +
+        stop + ")");
+    EXPECT_EQ(code, 3) << text;
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 20);
+    EXPECT_NE(text.find("bad: exp"), text.npos) << text;
+  }
+}
+
+// Of an adapter that takes trees from URDFs only, a campaign without one does not call the functions on trees.
+TEST(TreesOfUrdfs, AreNotMeasuredWithoutOneWhichIsSaidAndIsNoPass) {
+  std::ostringstream text;
+  text << std::ifstream(LIECHECK_BAD_PYTHON).rdbuf();
+  std::string program = text.str();
+  const std::string offers = R"("operations": {"exp3_quaternion": ["double"])";
+  const std::size_t end = program.find(offers) + offers.size();
+  program.insert(end, R"(, "tree_crba": ["double"]}, "trees": {"models": ["urdf"])");
+  const std::string file = liecheck::scratch() + "urdfs_only.py";
+  std::ofstream(file) << program;
+  for (const auto& [adapter, expected] : {std::pair<std::string, int>(LIECHECK_BAD_PYTHON, 0), {file, 3}}) {
+    const auto [code, said] = said_by("LIECHECK_BAD=none " LIECHECK_PROGRAM
+                                      " campaign --no-hard-cases --cases 20 --adapter '/usr/bin/python3 " +
+                                      adapter + "'");
+    EXPECT_EQ(code, expected) << said;
+    EXPECT_EQ(said.find("NOT MEASURED  the functions of bad on trees") != said.npos, expected == 3) << said;
+  }
 }
 
 TEST(BadCitizens, OfAnotherVersionOfTheInterfaceAreRefusedWithBothVersions) {

@@ -51,6 +51,10 @@ TEST(Arithmetic, OfAProgramThatIsUnusualJudgesNothing) {
   EXPECT_EQ(code("none"), 0);
   EXPECT_EQ(code("up"), 2);
   EXPECT_EQ(code("zero"), 2);
+  EXPECT_EQ(code("trap"), 2);
+#ifdef __x86_64__
+  EXPECT_EQ(code("x87"), 2);
+#endif
   if (FloatEnvironment::can_flush()) {
     EXPECT_EQ(code("flush"), 2);
   }

@@ -355,6 +355,13 @@ TEST_F(LimitsInStores, ThatDifferAreNeitherMergedNorComparedNorResumed) {
   EXPECT_EQ(error([&] { merge({a, store("d", own, 2)}, false); }), "");
 }
 
+TEST(Limits, OfAHundredMegabytesAreRefusedBeforeTheyAreRead) {
+  const std::string file = liecheck::scratch() + "large.limits";
+  std::ofstream(file) << "version = 1\n";
+  std::filesystem::resize_file(file, 100'000'000);
+  EXPECT_EQ(error([&] { read_limits(file); }), file + ": cannot be read: longer than 4194304 bytes");
+}
+
 TEST_F(LimitsInStores, TheProgramJudgesReplaysAndReportsByTheSameFile) {
   const std::string file = (folder / "it's own.limits").string();
   write_whole(file,

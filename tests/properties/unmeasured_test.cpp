@@ -1,6 +1,8 @@
 // Nothing passes unmeasured: a law that returns early, a robot whose mass matrix is singular, a case that the
 // oracle does not resolve.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -109,6 +111,22 @@ TEST_P(SingularRobots, ShowAnAccelerationOf1e30AsAFailure) {
 
 INSTANTIATE_TEST_SUITE_P(ALinkAndAChain, SingularRobots, testing::Values(2, 4));
 
+/// As two public grippers are: their bodies move, and none has a mass.
+TEST(ARobotWithoutAnyMass, HasNoCentreOfMassSoThatNoLawOfItFails) {
+  const std::string text =
+      "<robot name='gripper'><link name='base'/><link name='finger'/><joint name='j' type='prismatic'>"
+      "<parent link='base'/><child link='finger'/><axis xyz='0 1 0'/>"
+      "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>";
+  for (const bool fixed : {false, true}) {
+    std::vector<std::string> warnings;
+    const Robot robot = robot_of(text, "gripper.urdf", fixed, &warnings);
+    EXPECT_NE(fmt::format("{}", fmt::join(warnings, "\n")).find("no body that moves has a mass"),
+              std::string::npos);
+    for (const char* law : {"tree_momentum", "forward_dynamics", "tree_invariance"})
+      EXPECT_FALSE(run("liecheck", law, robot).failed) << law << fixed;
+  }
+}
+
 TEST(AnAccelerationOf1e30, FailsOnRandomTrees) {
   EXPECT_EQ(verdict(run("unmeasured_huge_aba", "forward_dynamics", built_in_robot())), "fail");
 }
@@ -122,8 +140,7 @@ class ReturnsEarly final : public Property {
   }
   const Statement& statement() const override { return law_->statement(); }
   std::vector<double> generate(Source& source) const override { return law_->generate(source); }
-  void measure(const Subject& subject, const std::vector<double>& x,
-               Recorder& r) const override {
+  void measure(const Subject& subject, const std::vector<double>& x, Recorder& r) const override {
     Subject some = subject;
     const bool beyond = std::hypot(x[3], x[4], x[5]) > limit_;
     if (beyond) some.operations[op::exp6] = nullptr;
@@ -143,8 +160,8 @@ CampaignResult run_early(double limit, bool says_unresolved = false) {
   static const Subject own_subject = erased(own());
   CampaignResult r;
   r.options.cases = 200;
-  r.series.push_back({std::make_unique<Series>(
-                          std::make_unique<ReturnsEarly>(limit, says_unresolved), own_subject, built_in_robot()),
+  r.series.push_back({std::make_unique<Series>(std::make_unique<ReturnsEarly>(limit, says_unresolved),
+                                               own_subject, built_in_robot()),
                       {}});
   auto& [series, tally] = r.series[0];
   for (std::uint64_t i = 0; i < r.options.cases; ++i) series->run(42, i, tally);

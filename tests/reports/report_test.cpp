@@ -130,6 +130,8 @@ TEST_F(Report, RefusesAMissingRecord) {
 TEST_F(Report, NamesTheFieldAndTheValueThatItRefuses) {
   EXPECT_TRUE(has(refusal("[1, 2]"), "(top level): expected an object, found [1,2]"));
   EXPECT_TRUE(has(refusal("{}"), "field version is missing"));
+  EXPECT_TRUE(has(refusal(R"({"version": "1", "reference_ns": 1, "rows": []})"),
+                  "is a record of times, which `liecheck cost` wrote, where that of a campaign is due"));
   expect_refused(without(record(), "/results/1/budget"), "field results[1].budget is missing");
   expect_refused(with(record(), "/results/1/status", "fine"),
                  "results[1].status: expected one of pass, fail");
