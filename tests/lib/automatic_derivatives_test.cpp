@@ -1,18 +1,13 @@
-// Derivatives by automatic differentiation of the library's templated operations, with dual numbers of our own
-// and with the Jets of Ceres, beside the exact Jacobians: at 0, at pi, at zero increments, at -Q, and at both
-// sides of each place where a formula changes.
+// Derivatives by automatic differentiation of the library's templated operations, with the Jets of Ceres, beside the
+// exact Jacobians: at 0, at pi, at zero increments, at -Q, and at both sides of each place where a formula changes.
 
+#include <ceres/jet.h>
 #include <gtest/gtest.h>
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/jacobians.hpp>
 #include <numbers>
 
-#include "dual.hpp"
-#include "scalar_test.hpp"
-
-#if __has_include(<ceres/jet.h>)
-#include <ceres/jet.h>
 // What the library asks of a scalar and Jets lack.
 namespace ceres {
 template <class T, int N>
@@ -33,30 +28,11 @@ Jet<T, N> frexp(const Jet<T, N>& a, int* e) {
   return Jet<T, N>(f, a.v * std::ldexp(T(1), -*e));
 }
 }  // namespace ceres
-#endif
 
 namespace liecheck {
 namespace {
 
-using test::Dual;
-
-/// How a scalar with 6 derivatives is made and read.
-template <class D>
-struct Access {
-  static D make(double v, const Vector6<double>& d) { return D(v, d); }
-  static double value(const D& x) { return x.v; }
-  static Vector6<double> derivatives(const D& x) { return x.d; }
-};
-#if __has_include(<ceres/jet.h>)
-template <>
-struct Access<ceres::Jet<double, 6>> {
-  using D = ceres::Jet<double, 6>;
-  static D make(double v, const Vector6<double>& d) { return D(v, d); }
-  static double value(const D& x) { return x.a; }
-  static Vector6<double> derivatives(const D& x) { return x.v; }
-};
-#endif
-
+using S = ceres::Jet<double, 6>;
 using V3 = Vector3<double>;
 using V4 = Vector4<double>;
 using V6 = Vector6<double>;
@@ -66,30 +42,29 @@ using M6 = Matrix6<double>;
 using Rows = Eigen::MatrixXd;
 
 /// The numbers x with the derivatives J, one row for each number.
-template <class D, int N>
-Eigen::Matrix<D, N, 1> seeded(const Eigen::Matrix<double, N, 1>& x, const Rows& J) {
-  Eigen::Matrix<D, N, 1> y;
+template <int N>
+Eigen::Matrix<S, N, 1> seeded(const Eigen::Matrix<double, N, 1>& x, const Rows& J) {
+  Eigen::Matrix<S, N, 1> y;
   for (int i = 0; i < N; ++i) {
     V6 d = V6::Zero();
     for (int k = 0; k < J.cols(); ++k) d[k] = J(i, k);
-    y[i] = Access<D>::make(x[i], d);
+    y[i] = S(x[i], d);
   }
   return y;
 }
-template <class D>
-Matrix3<D> seeded_matrix(const M3& R, const Rows& J) {
-  Matrix3<D> X;
-  const auto y = seeded<D, 9>(R.transpose().reshaped(), J);
+Matrix3<S> seeded_matrix(const M3& R, const Rows& J) {
+  Matrix3<S> X;
+  const auto y = seeded<9>(R.transpose().reshaped(), J);
   for (int i = 0; i < 9; ++i) X(i / 3, i % 3) = y[i];
   return X;
 }
 /// The derivatives of a vector or matrix, one row for each number, row by row; only the first columns.
-template <class D, int R, int C>
-Rows derivatives(const Eigen::Matrix<D, R, C>& y, int columns = 6) {
+template <int R, int C>
+Rows derivatives(const Eigen::Matrix<S, R, C>& y, int columns = 6) {
   Rows J(R * C, columns);
   for (int i = 0; i < R * C; ++i) {
-    EXPECT_TRUE(std::isfinite(Access<D>::value(y(i / C, i % C))));
-    J.row(i) = Access<D>::derivatives(y(i / C, i % C)).head(columns).transpose();
+    EXPECT_TRUE(std::isfinite(y(i / C, i % C).a));
+    J.row(i) = y(i / C, i % C).v.head(columns).transpose();
   }
   return J;
 }
@@ -143,38 +118,32 @@ void near(const Rows& A, const Rows& B, const char* what, const V3& phi) {
       << B;
 }
 
-#if __has_include(<ceres/jet.h>)
-SCALAR_SUITE(AutomaticDerivatives, Dual<6>, ceres::Jet<double, 6>);
-#else
-SCALAR_SUITE(AutomaticDerivatives, Dual<6>);
-#endif
-
-SCALAR_TEST(AutomaticDerivatives, OfExp3AreTheRightJacobian) {
+TEST(AutomaticDerivatives, OfExp3AreTheRightJacobian) {
   for (const V3& phi : vectors(1e3)) {
-    const auto x = seeded<S, 3>(phi, M3::Identity());
+    const auto x = seeded<3>(phi, M3::Identity());
     const M3 J = rightJacobian<double>(phi), R = exp3<double>(phi);
-    near(derivatives<S>(Vector4<S>(quaternion::exp3<S>(x).to_vector()), 3), turning(quaternion_of(phi)) * J,
+    near(derivatives(Vector4<S>(quaternion::exp3<S>(x).to_vector()), 3), turning(quaternion_of(phi)) * J,
          "quaternion", phi);
-    near(derivatives<S>(Matrix3<S>(exp3<S>(x)), 3), turning(R) * J, "matrix", phi);
+    near(derivatives(Matrix3<S>(exp3<S>(x)), 3), turning(R) * J, "matrix", phi);
   }
 }
 
-SCALAR_TEST(AutomaticDerivatives, OfLog3AreTheInverseRightJacobian) {
+TEST(AutomaticDerivatives, OfLog3AreTheInverseRightJacobian) {
   for (const V3& phi : vectors(std::numbers::pi))
     for (const double sign : {1., -1.}) {
       const V4 Q = sign * quaternion_of(phi);
       const V3 log = quaternion::log3<double>(SO3<double>(Q));
-      const auto y = seeded<S, 4>(Q, turning(Q));
-      near(derivatives<S>(Vector3<S>(quaternion::log3<S>(SO3<S>(y))), 3), rightJacobianInverse<double>(log),
+      const auto y = seeded<4>(Q, turning(Q));
+      near(derivatives(Vector3<S>(quaternion::log3<S>(SO3<S>(y))), 3), rightJacobianInverse<double>(log),
            sign > 0 ? "of Q" : "of -Q", log);
       const M3 R = exp3<double>(phi);
-      const Matrix3<S> X = seeded_matrix<S>(R, turning(R));
-      near(derivatives<S>(Vector3<S>(log3<S>(X)), 3), rightJacobianInverse<double>(log3<double>(R)), "of R",
+      const Matrix3<S> X = seeded_matrix(R, turning(R));
+      near(derivatives(Vector3<S>(log3<S>(X)), 3), rightJacobianInverse<double>(log3<double>(R)), "of R",
            log3<double>(R));
     }
 }
 
-SCALAR_TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
+TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(std::numbers::pi, not_underflowing)) {
     V6 xi;
@@ -182,15 +151,15 @@ SCALAR_TEST(AutomaticDerivatives, OfExp6AndLog6AreTheJacobiansOfPoses) {
     const Motion<double> m(xi);
     const M6 J = rightJacobian<double>(m);
     const SE3<double> T = exp6<double>(m);
-    const SE3<S> X = exp6<S>(Motion<S>(seeded<S, 6>(xi, M6::Identity())));
-    near(derivatives<S>(Vector3<S>(X.translation())), T.rotation() * J.topRows(3), "p of exp6", phi);
-    near(derivatives<S>(Matrix3<S>(X.rotation())), turning(T.rotation()) * J.bottomRows(3), "R of exp6", phi);
+    const SE3<S> X = exp6<S>(Motion<S>(seeded<6>(xi, M6::Identity())));
+    near(derivatives(Vector3<S>(X.translation())), T.rotation() * J.topRows(3), "p of exp6", phi);
+    near(derivatives(Matrix3<S>(X.rotation())), turning(T.rotation()) * J.bottomRows(3), "R of exp6", phi);
 
     Rows of_R = Rows::Zero(9, 6), of_p = Rows::Zero(3, 6);
     of_R.rightCols(3) = turning(T.rotation()), of_p.leftCols(3) = T.rotation();
-    const SE3<S> Y(seeded_matrix<S>(T.rotation(), of_R), seeded<S, 3>(T.translation(), of_p));
+    const SE3<S> Y(seeded_matrix(T.rotation(), of_R), seeded<3>(T.translation(), of_p));
     const Motion<double> log = log6<double>(T);
-    near(derivatives<S>(Vector6<S>(log6<S>(Y).to_vector())), rightJacobianInverse<double>(log), "log6", phi);
+    near(derivatives(Vector6<S>(log6<S>(Y).to_vector())), rightJacobianInverse<double>(log), "log6", phi);
   }
 }
 
@@ -202,7 +171,7 @@ Rows tangent(const V7& x) {
   return N;
 }
 
-SCALAR_TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
+TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
   using enum ArgumentPosition;
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(3, not_underflowing))
@@ -215,28 +184,26 @@ SCALAR_TEST(AutomaticDerivatives, OfIntegrateAndDifferenceAreTheirDerivatives) {
         const V7 q1 = integrateSE3<double>(q, d);
         const Rows none = Rows::Zero(7, 6), one = Rows::Identity(6, 6), no_d = Rows::Zero(6, 6);
         const V6 by = differenceSE3<double>(q, q1);
-        near(derivatives<S>(Vector7<S>(integrateSE3<S>(seeded<S, 7>(q, none), seeded<S, 6>(d, one)))),
+        near(derivatives(Vector7<S>(integrateSE3<S>(seeded<7>(q, none), seeded<6>(d, one)))),
              tangent(q1) * dIntegrateSE3<double>(q, d, ARG1), "integrate by d", phi);
-        near(derivatives<S>(Vector7<S>(integrateSE3<S>(seeded<S, 7>(q, tangent(q)), seeded<S, 6>(d, no_d)))),
+        near(derivatives(Vector7<S>(integrateSE3<S>(seeded<7>(q, tangent(q)), seeded<6>(d, no_d)))),
              tangent(q1) * dIntegrateSE3<double>(q, d, ARG0), "integrate by q", phi);
-        near(derivatives<S>(
-                 Vector6<S>(differenceSE3<S>(seeded<S, 7>(q, none), seeded<S, 7>(q1, tangent(q1))))),
+        near(derivatives(Vector6<S>(differenceSE3<S>(seeded<7>(q, none), seeded<7>(q1, tangent(q1))))),
              dDifferenceSE3<double>(q, q1, ARG1), "difference by q1", V3(by.tail<3>()));
-        near(
-            derivatives<S>(Vector6<S>(differenceSE3<S>(seeded<S, 7>(q, tangent(q)), seeded<S, 7>(q1, none)))),
-            dDifferenceSE3<double>(q, q1, ARG0), "difference by q0", V3(by.tail<3>()));
+        near(derivatives(Vector6<S>(differenceSE3<S>(seeded<7>(q, tangent(q)), seeded<7>(q1, none)))),
+             dDifferenceSE3<double>(q, q1, ARG0), "difference by q0", V3(by.tail<3>()));
       }
 }
 
 // The coupling block of the Jacobian of SE(3) is the derivative of that of SO(3) along rho.
-SCALAR_TEST(AutomaticDerivatives, OfJacobiansAlongRhoAreTheCouplingBlocks) {
+TEST(AutomaticDerivatives, OfJacobiansAlongRhoAreTheCouplingBlocks) {
   const V3 rho(0.3, -2, 0.7);
   for (const V3& phi : vectors(std::numbers::pi)) {
     V6 xi;
     xi << rho, phi;
-    const auto x = seeded<S, 3>(phi, rho);
+    const auto x = seeded<3>(phi, rho);
     const Motion<double> m(xi);
-    const auto along = [](const Matrix3<S>& J) -> Rows { return derivatives<S>(J, 1); };
+    const auto along = [](const Matrix3<S>& J) -> Rows { return derivatives(J, 1); };
     const auto coupling = [](const M6& J) -> Rows {
       return M3(J.topRightCorner<3, 3>()).transpose().reshaped();
     };

@@ -7,7 +7,7 @@
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <random>
 
-#include "refusal.hpp"
+#include "../refusal.hpp"
 #include "scalar_test.hpp"
 
 namespace liecheck {

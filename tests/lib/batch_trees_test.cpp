@@ -8,7 +8,7 @@
 #include <liecheck/batch/trees.hpp>
 
 #include "random_tree.hpp"
-#include "refusal.hpp"
+#include "../refusal.hpp"
 #include "scalar_test.hpp"
 
 namespace liecheck {

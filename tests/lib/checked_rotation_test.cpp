@@ -4,7 +4,7 @@
 
 #include <liecheck/spatial/checked_rotation.hpp>
 
-#include "refusal.hpp"
+#include "../refusal.hpp"
 #include "scalar_test.hpp"
 
 namespace liecheck {

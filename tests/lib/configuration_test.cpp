@@ -5,7 +5,7 @@
 #include <liecheck/multibody/configuration.hpp>
 
 #include "generic_pose.hpp"
-#include "refusal.hpp"
+#include "../refusal.hpp"
 #include "scalar_test.hpp"
 
 namespace {
@@ -41,13 +41,6 @@ VectorX<S> someIncrement() {
 
 SCALAR_SUITE(Configuration, float, double);
 
-SCALAR_TEST(Configuration, TheLastNumberOfTheNeutralFreeFlyerIsOne) {
-  Model<S> m;
-  m.addJoint(0, FreeFlyer<S>(), SE3<S>::Identity(), "root");
-  EXPECT_EQ(neutral(m), (Vector7<S>(Vector7<S>::Unit(6))));
-  EXPECT_EQ(m.nq, 7);
-  EXPECT_EQ(m.nv, 6);
-}
 SCALAR_TEST(Configuration, NeutralOfAContinuousJointIsCosineAndSineOfZero) {
   VectorX<S> expected(11);
   expected << S(0), Vector7<S>(Vector7<S>::Unit(6)), S(1), S(0), S(0);

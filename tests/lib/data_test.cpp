@@ -15,7 +15,7 @@
 
 #include "count_allocations.hpp"
 #include "random_tree.hpp"
-#include "refusal.hpp"
+#include "../refusal.hpp"
 
 namespace {
 
@@ -55,17 +55,12 @@ TEST(Data, OfAnotherModelOrOfAnEarlierRevisionIsRefused) {
   m.addFrame({"late", 1, 0, SE3<double>::Identity(), FrameType::OP_FRAME});
   EXPECT_TRUE(
       has(refusalOfData([&] { forwardKinematics(m, d, q); }), "before a joint, a frame or a body was added"));
+  Data<double> later(m, Dense::Mass);
+  EXPECT_NO_THROW(crba(m, later, q));
+  m.appendBodyToJoint(2, Inertia<double>(1, Vector3<double>::Zero(), Matrix3<double>::Identity()));
+  EXPECT_TRUE(has(refusalOfData([&] { crba(m, later, q); }), "a body was added"));
   EXPECT_TRUE(has(refusalOfData([&] { updateFramePlacements(m, d); }), "another model"));
   EXPECT_TRUE(has(refusalOfData([&] { getJointJacobian(m, d, 1, ReferenceFrame::WORLD); }), "another model"));
-}
-
-TEST(Data, OfAModelThatGotAnotherBodySinceIsRefused) {
-  Model<double> m = randomModel(3, 6);
-  Data<double> d(m, Dense::Mass);
-  const Vec q = neutral(m);
-  crba(m, d, q);
-  m.appendBodyToJoint(2, Inertia<double>(1, Vector3<double>::Zero(), Matrix3<double>::Identity()));
-  EXPECT_TRUE(has(refusalOfData([&] { crba(m, d, q); }), "a body was added"));
 }
 
 // A field that an algorithm left unfinished must not be read as a result.
@@ -224,18 +219,6 @@ TEST(Data, NoTwoAlgorithmsReturnTheSameStorage) {
                                        computeCentroidalMap(m, d, q).data(),
                                        jacobianCenterOfMass(m, d, q).data()};
   EXPECT_EQ(std::set<const double*>(all.begin(), all.end()).size(), all.size());
-}
-
-TEST(Data, TheStaticTorqueAndTheGeneralizedGravityAreTwoFields) {
-  const Model<double> m = randomModel(3, 6);
-  Random random(3);
-  const State s = randomState(m, random);
-  Data<double> d(m), e(m);
-  const auto fext = random.forces(m.njoints);
-  const Vec difference = computeGeneralizedGravity(m, d, s.q) - computeStaticTorque(m, d, s.q, fext);
-  const Vec g = computeGeneralizedGravity(m, e, s.q);
-  EXPECT_EQ(difference, g - Vec(computeStaticTorque(m, e, s.q, fext)));
-  EXPECT_GT(difference.norm(), 0);
 }
 
 // A copy used to be impossible; copied field by field, it would refer to the state of the original.

@@ -5,7 +5,7 @@
 #include <liecheck/multibody/configuration.hpp>
 
 #include "random_tree.hpp"
-#include "refusal.hpp"
+#include "../refusal.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "off_unit.hpp"
 #include "random_tree.hpp"
-#include "refusal.hpp"
+#include "../refusal.hpp"
 #include "scalar_test.hpp"
 
 namespace {

@@ -2,13 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "long_double.hpp"
-
-namespace liecheck {
-
-LIECHECK_LONG_DOUBLE_MODELS()
-
-namespace test {
+namespace liecheck::test {
 
 SE3<double> Random::pose() {
   return {quaternion::exp3<double>(vector(2)), vector(0.5)};
@@ -73,29 +67,8 @@ void forEachRobot(unsigned first, unsigned last, unsigned most,
   }
 }
 
-VecL along(const Model<Real>& m, const State& s, Real t) {
-  return integrate(m, VecL(s.q.cast<Real>()), VecL(t * s.v.cast<Real>() + t * t / 2 * s.a.cast<Real>()));
-}
-
-MatrixX<Real> derivative(const std::function<MatrixX<Real>(Real)>& f) {
-  const Real h = Real(1) / Real(1024);
-  const auto pair = [&](int k) { return MatrixX<Real>(f(Real(k) * h) - f(Real(-k) * h)); };
-  return (pair(1) * (Real(4) / Real(5)) - pair(2) * (Real(1) / Real(5)) + pair(3) * (Real(4) / Real(105)) -
-          pair(4) * (Real(1) / Real(280))) /
-         h;
-}
-MatrixX<Real> secondDerivative(const std::function<MatrixX<Real>(Real)>& f) {
-  const Real h = Real(1) / Real(1024);
-  const MatrixX<Real> middle = f(Real(0));
-  const auto pair = [&](int k) { return MatrixX<Real>(f(Real(k) * h) + f(Real(-k) * h) - middle * Real(2)); };
-  return (pair(1) * (Real(8) / Real(5)) - pair(2) * (Real(1) / Real(5)) + pair(3) * (Real(8) / Real(315)) -
-          pair(4) * (Real(1) / Real(560))) /
-         (h * h);
-}
-
 double relative(const MatrixX<double>& a, const MatrixX<double>& b, double floor) {
   return relativeNorm(a, b, floor);
 }
 
-}  // namespace test
-}  // namespace liecheck
+}  // namespace liecheck::test

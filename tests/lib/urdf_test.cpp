@@ -113,12 +113,6 @@ TEST(Urdf, AFloatingJointIsAFreeFlyer) {
   EXPECT_EQ(neutral(m)[6], 1);
 }
 
-TEST(Urdf, TheIdsOfUnknownNamesAreNjointsAndNframes) {
-  const Model<double> m = buildModelFromUrdf(fixture("quadruped.urdf"), RootJoint::FreeFlyer);
-  EXPECT_EQ(m.getJointId("fifth_leg"), 14);
-  EXPECT_EQ(m.getFrameId("fifth_leg"), m.nframes);
-}
-
 TEST(Urdf, ARootJointOfAnyTypeAndAPlanarJointAreBuilt) {
   const std::string text = twoLinks("planar", "<axis xyz='0 0 1'/>");
   const UrdfRobot r = loadUrdfText(text, {.root_joint = Joint<double>(Spherical<double>())});

@@ -5,7 +5,7 @@
 
 #include <liecheck/urdf/urdf.hpp>
 
-#include "refusal.hpp"
+#include "../refusal.hpp"
 
 namespace liecheck::test {
 

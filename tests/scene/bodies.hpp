@@ -8,18 +8,14 @@
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 
+#include "../refusal.hpp"
+
 namespace liecheck::test {
 
 using Vec = VectorX<double>;
 using V3 = Vector3<double>;
 using Body = scene::LoneBody<double>;
 
-/// Whether the text contains the part. A failure shows both.
-inline testing::AssertionResult has(const std::string& text, const std::string& part) {
-  return (text.find(part) != text.npos ? testing::AssertionSuccess() : testing::AssertionFailure())
-         << "'" << part << "' in:\n"
-         << text;
-}
 /// One free body.
 inline Model<double> freeBody(const Inertia<double>& inertia) {
   Model<double> m;
@@ -60,12 +56,8 @@ inline const std::string sliding_box =
 
 /// The message with which a scene is refused.
 inline std::string refusal(const std::string& text, const std::string& folder = testing::TempDir()) {
-  try {
-    loadSceneText(text, "s.yaml", folder);
-  } catch (const SceneError& e) {
-    return e.what();
-  }
-  return "accepted";
+  const std::string said = refusal<SceneError>([&] { loadSceneText(text, "s.yaml", folder); });
+  return said.empty() ? "accepted" : said;
 }
 /// The classical Runge-Kutta method of order 4 for x' = rate(x).
 template <class X, class Rate>

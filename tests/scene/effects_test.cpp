@@ -54,46 +54,11 @@ TEST(Effects, PowerOfConservativeForcesIsTheLossOfTheirPotential) {
   }
 }
 
-TEST(Effects, DissipativeForcesHaveNegativePower) {
-  for (const char* effect :
-       {"joint_damping: {coefficient: 0.3}", "joint_friction: {force: 0.2}", "joint_damping",
-        "joint_friction",
-        "drag: {frame: bar2, linear: 0.3, quadratic: 0.2, angular_linear: 0.1, angular_quadratic: 0.4}"})
-    EXPECT_LT(rates_of(effect).power, -1e-4) << effect;
-}
-
 /// The force [N, world] and moment [N m, body] of all effects at the centre of mass, which is the origin here.
-Force<double> forceOn(sc::LoneBody<double>& body, double t, const Vector7<double>& q, const Vector6<double>& v) {
+Force<double> forceOn(sc::LoneBody<double>& body, double t, const Vector7<double>& q,
+                      const Vector6<double>& v) {
   body.load(t, q, v);
   return Force<double>(body.force(v), body.moment(v));
-}
-
-TEST(Effects, DragOpposesTheVelocityOfItsFrame) {
-  const sc::Scene s = sceneOf("drag: {frame: body, linear: 3, quadratic: 2}", "{body: ball, radius: 1}");
-  auto body = sc::makeSystem<sc::LoneBody<double>>(s);
-  Vector6<double> v;
-  v << 3, 0, 4, 1, 2, 3;
-  const Force<double> F = forceOn(body, 0, s.q, v);
-  EXPECT_DOUBLE_EQ(F.linear()[0], -(3 + 2 * 5) * 3.0);
-  EXPECT_DOUBLE_EQ(F.linear()[2], -(3 + 2 * 5) * 4.0);
-  EXPECT_TRUE(F.angular().isZero(0));
-}
-
-TEST(Effects, AWrenchActsBetweenItsTimesAndInItsAxes) {
-  for (const char* axes : {"frame", "world"}) {
-    const sc::Scene s = sceneOf(
-        std::string("wrench: {frame: body, force: [1, 0, 0], axes: ") + axes + ", from: 1 s, until: 2 s}",
-        "{body: ball, radius: 1}");
-    auto body = sc::makeSystem<sc::LoneBody<double>>(s);
-    VectorX<double> q = s.q;
-    q.tail<4>() << 0, 0, std::sqrt(0.5), std::sqrt(0.5);  // 90 degrees about z
-    const auto f = [&](double t) { return forceOn(body, t, q, Vector6<double>::Zero()).linear(); };
-    EXPECT_TRUE(f(0.5).isZero(0));
-    EXPECT_TRUE(f(2).isZero(0));
-    const Vector3<double> wanted =
-        std::string(axes) == "frame" ? Vector3<double>(0, 1, 0) : Vector3<double>(1, 0, 0);
-    EXPECT_LE((f(1) - wanted).norm(), 4 * eps<double>()) << axes;
-  }
 }
 
 TEST(Effects, ContactNeverPullsAndIsContinuousAtTouchdown) {
@@ -113,17 +78,6 @@ TEST(Effects, ContactNeverPullsAndIsContinuousAtTouchdown) {
   const auto f = force(-0.1, -0.5);
   EXPECT_DOUBLE_EQ(f[2], 100 * 0.1 * (1 + 2 * 0.5));
   EXPECT_NEAR(f[0], -0.5 * f[2], 1e-6 * f[2]);
-}
-
-TEST(Effects, GravityAcceleratesALoneBodyAndATreeAlike) {
-  const sc::Scene s = sceneOf("gravity", "{body: box, size: [1, 2, 3], centre: [0.1, 0.2, 0.3]}");
-  auto body = sc::makeSystem<sc::LoneBody<double>>(s);
-  auto tree = sc::makeSystem<sc::Tree<double>>(s);
-  test::Random random(3);
-  const VectorX<double> q = integrate(s.model, s.q, random.tangent(6, 1.5)), v = random.tangent(6, 2);
-  VectorX<double> b(6);
-  tree.acceleration(0, q, v, b);
-  EXPECT_LE((test::accelerationOf(body, q, v) - b).norm(), 64 * eps<double>() * b.norm());
 }
 
 TEST(Effects, ABodyWithArmatureIsSimulatedAsATree) {

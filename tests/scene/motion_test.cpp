@@ -213,17 +213,6 @@ TEST(Gauss12, RoundingErrorsStayWithinTenEpsOfTheAngleTurned) {
   EXPECT_LE(angle, 10 * revolutions * 2 * pi<double>() * eps<double>());
 }
 
-/// overhead.sh checks that LoneBody takes at most a tenth of the instructions of Tree.
-TEST(LoneBody, AcceleratesAsTheTreeOfOneBodyDoes) {
-  const Model<double> m = freeBody(awkward());
-  Body body(m);
-  scene::Tree<double> tree(m);
-  Vec b(6);
-  const Vec q = integrate(m, neutral(m), start_v);
-  tree.acceleration(0, q, start_v, b);
-  EXPECT_LE((accelerationOf(body, q, start_v) - b).norm(), 32 * eps<double>() * b.norm());
-}
-
 TEST(LoneBody, WithoutInertiaIsRefused) {
   EXPECT_THROW(Body(freeBody({1, V3::Zero(), Matrix3<double>(V3(1, 1, 0).asDiagonal())})), SingularInertia);
   EXPECT_THROW(Body(freeBody({0, V3::Zero(), Matrix3<double>::Identity()})), SingularInertia);

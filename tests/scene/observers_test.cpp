@@ -120,19 +120,6 @@ TEST(ContactForces, AreThoseOfTheLawOfContactAtEachPoint) {
   EXPECT_NEAR(run["contacts.tx"][0], sum[0], 1e-12 * normals);
 }
 
-TEST(ContactForces, AccelerateTheBody) {
-  const Recorded run(skid + "observers: [contact_forces, momentum]\n");
-  const V3 n = V3(0.1, 0, 1).normalized();
-  const double h = run["t"][1];
-  for (std::size_t i = 200; i < 1800; i += 200)
-    for (int k = 0; k < 3; ++k) {
-      const std::string P = std::string("P_") + "xyz"[k];
-      const double rate = (run[P][i + 1] - run[P][i - 1]) / (2 * h);
-      const double force = run["contacts.normal"][i] * n[k] + run[std::string("contacts.t") + "xyz"[k]][i];
-      EXPECT_NEAR(force - (k == 2 ? 2 * 9.81 : 0), rate, 0.01) << i << k;
-    }
-}
-
 TEST(ContactForces, NeedAContact) {
   EXPECT_THROW(Recorded("robot: {body: ball, radius: 1}\n" + fixed_step + "observers: [contact_forces]\n"),
                SceneError);

@@ -109,40 +109,6 @@ TEST(Shapes, APlateRestsOnFourCorners) {
   EXPECT_NEAR(run.q[2], rest, 1e-9);
 }
 
-/// A capsule stands on one end at l/2 + r - m g/k, and lies at r - m g/(2 k).
-TEST(Shapes, ACapsuleStandsAtHalfItsLengthAndItsRadius) {
-  for (const bool stands : {true, false}) {
-    const double rest = stands ? 0.2 + 0.1 - 2 * g / 1e4 : 0.1 - 2 * g / 2e4;
-    const scene::Run run = runOf(
-        "robot: {body: body, mass: 2, moments: [1, 1, 1]}\nground: {height: 0}\nshapes: [{shape: capsule, "
-        "on: body, radius: 0.1, length: 0.4, attitude: [" +
-        number(stands ? 0 : std::numbers::pi / 2) + ", 0, 0]}]\ninitial: {position: [0, 0, " + number(rest) +
-        "]}\neffects: [gravity, contact: {bodies: all, stiffness: 1e4}]\n" + radau(0.2));
-    EXPECT_NEAR(run.q[2], rest, 1e-9);
-  }
-}
-
-/// Without gravity, m x'' = -k x^e: x' = 0 at x_m = ((e+1) m v^2/(2 k))^(1/(e+1)), after x_m/v B(1/(e+1),
-/// 1/2)/(e+1), B Euler's integral, and the ball leaves with v after twice this time.
-TEST(Shapes, AnImpactWithTheExponentOfHertzHasItsDepthAndItsDuration) {
-  const double m = 2, v = 1.5, k = 1e6;
-  for (const double e : {1.0, 1.5, 2.2}) {
-    const double deepest = std::pow((e + 1) * m * v * v / (2 * k), 1 / (e + 1));
-    const double half = deepest / v * std::beta(1 / (e + 1), 0.5) / (e + 1);
-    const auto after = [&](double t) {
-      return runOf(
-          "robot: {body: ball, mass: 2, radius: 0.1}\nground: {height: 0}\ninitial: {position: [0, 0, 0.1], "
-          "velocity: [0, 0, -1.5]}\neffects: [contact: {bodies: all, stiffness: 1e6, exponent: " +
-          number(e) + "}]\nobservers: [energy]\n" + radau(t, "1e-11", 8));
-    };
-    const scene::Run middle = after(half), end = after(2 * half);
-    EXPECT_NEAR(0.1 - middle.q[2], deepest, 1e-7 * deepest) << e;
-    EXPECT_NEAR(end.v[2], v, 1e-6 * v) << e;
-    EXPECT_NEAR(end.q[2], 0.1, 1e-6 * deepest) << e;
-    for (const double E : column(end, "energy")) EXPECT_NEAR(E, m * v * v / 2, 1e-7) << e;
-  }
-}
-
 /// The power of the force is the loss of its potential, in poses where a shape is below the ground.
 TEST(Shapes, TheForceOnEachShapeIsTheGradientOfItsPotential) {
   for (const std::string shape :

@@ -52,31 +52,6 @@ TEST(Curve, OfALinearTableIsALineBetweenRowsOfSeveralNumbers) {
   EXPECT_EQ(curve.at(0.5, 0.5, 1).rate, 5);
 }
 
-TEST(PdTrajectory, ThatIsCubicIsFollowedWithoutLagAndALinearOneWithTheLagOfTheDamping) {
-  const std::string pd =
-      "actuation: [pd: {stiffness: 50, damping: 20, rows: [[0 s, 0], [1, 0.5], [2, 1]], interpolation: ";
-  const Recorded cubic(rail + "initial: {joint_velocities: {root_joint: 0.5}}\n" + pd + "cubic}]\n" + end);
-  EXPECT_NEAR(cubic["q.root_joint"].back(), 1, 1e-14);
-  EXPECT_NEAR(cubic["v.root_joint"].back(), 0.5, 1e-14);
-  // q = r t - d r/k is the motion that neither grows nor decays
-  const Recorded linear(rail +
-                        "initial: {joints: {root_joint: -0.2}, joint_velocities: {root_joint: 0.5}}\n" + pd +
-                        "linear}]\n" + end);
-  EXPECT_NEAR(linear["q.root_joint"].back(), 1 - 0.2, 1e-14);
-}
-
-TEST(ForceTable, WithRowsGivesTheImpulseOfItsInterpolation) {
-  // steps of 0.1 s do not end at the rows by themselves
-  const auto speed = [](const std::string& keys) {
-    return Recorded(rail + "actuation: [table: {rows: [[0, 0], [0.55 s, 1.21], [1.25, 6.25], [2, 16]]" +
-                    keys + "}]\n" + end)["v.root_joint"]
-        .back();
-  };
-  const double trapezoids = 0.55 * 1.21 / 2 + 0.7 * (1.21 + 6.25) / 2 + 0.75 * (6.25 + 16) / 2;
-  EXPECT_NEAR(speed(""), trapezoids / 2, 1e-14);
-  EXPECT_NEAR(speed(", interpolation: cubic"), 4 * 8. / 3 / 2, 1e-13);  // f = 4 t^2
-}
-
 TEST(ForceTable, WithTwoRowsAtOneTimeJumpsThere) {
   const Recorded run(
       rail + "actuation: [table: {rows: [[0, 3], [0.55, 3], [0.55, -1], [1.5, -1], [1.5, 0]]}]\n" + end);
@@ -106,17 +81,6 @@ TEST(PdTarget, MayBeOneNumber) {
   };
   EXPECT_EQ(last("30 cm"), last("[0.3]"));
   EXPECT_GT(last("30 cm"), 0.2);
-}
-
-TEST(WrenchTable, AddsForcesAndMomentsOverTime) {
-  const std::string ball =
-      "robot: {body: body, mass: 2, moments: [1, 1, 1]}\neffects: [wrench: {frame: body, axes: ";
-  const Recorded world(ball + "world, force: [1, 0, 0], rows: [[0, 0, 0, 0], [2, 0, 4, 0]]}]\n" + end);
-  EXPECT_NEAR(world["v.root_joint.x"].back(), 1, 1e-14);
-  EXPECT_NEAR(world["v.root_joint.y"].back(), 2, 1e-14);
-  const Recorded turned(ball + "frame, rows: [[0, 0, 0, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0, 4]]}]\n" + end);
-  EXPECT_NEAR(turned["v.root_joint.wz"].back(), 4, 1e-14);
-  EXPECT_THROW(Recorded(ball + "frame, rows: [[0, 1], [1, 1]]}]\n" + end), SceneError);
 }
 
 class Csv : public testing::Test {
@@ -183,6 +147,10 @@ TEST(Tables, AreRefusedInOneLine) {
   EXPECT_TRUE(has(refusal(pd + "rows: [[0, 1]], target: [1]}"), "keep one"));
   EXPECT_TRUE(has(refusal(pd + "rows: [[0, 1, 2]]}"), "2 targets for 1 coordinates"));
   EXPECT_TRUE(has(refusal("table: {times: [0, 1]}"), "needs 'rows', or 'times' and 'forces'"));
+  EXPECT_THROW(
+      Recorded("robot: {body: ball, radius: 1}\neffects: [wrench: {frame: body, rows: [[0, 1], [1, 1]]}]\n" +
+               end),
+      SceneError);
   EXPECT_TRUE(has(refusal("table: {rows: [[0, 1]], times: [0], forces: [1]}"), "needs 'rows', or"));
 }
 
