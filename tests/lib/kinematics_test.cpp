@@ -5,8 +5,8 @@
 #include <functional>
 #include <liecheck/algorithms/jacobians.hpp>
 
-#include "random_tree.hpp"
 #include "../refusal.hpp"
+#include "random_tree.hpp"
 
 namespace {
 
@@ -60,6 +60,27 @@ TEST(Jacobians, JVIsTheVelocityAndJAPlusJDotVIsTheAcceleration) {
     }
     EXPECT_LE(relative(d.J(), J), budget(m));
     EXPECT_LE(relative(d.dJ(), dJ), budget(m));
+  });
+}
+
+/// A wrong multiple of V x s vanishes in dJ v, since V x V = 0, so that each column is compared, too.
+TEST(Jacobians, TheColumnsOfTheTimeVariationsAreDerivatives) {
+  forEachRobot(101, 118, 11, [](const Model<double>& m, const State& s, Random&) {
+    Data<double> d(m), moved(m);
+    computeJointJacobiansTimeVariation(m, d, s.q, s.v);
+    const auto rate = [&](auto J) {  // by differences of the fourth order
+      const auto at = [&](double t) {
+        computeJointJacobians(m, moved, integrate(m, s.q, t * s.v));
+        return Mat(J());
+      };
+      const double h = 1e-4;
+      return Mat((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h));
+    };
+    for (ReferenceFrame reference : every_reference) {
+      const Mat J_dot = rate([&] { return getFrameJacobian(m, moved, m.nframes - 1, reference); });
+      EXPECT_LE(relative(getFrameJacobianTimeVariation(m, d, m.nframes - 1, reference), J_dot, 1), 1e-9);
+    }
+    EXPECT_LE(relative(d.dJ(), rate([&] { return moved.J(); }), 1), 1e-9);
   });
 }
 
