@@ -25,4 +25,13 @@ inline std::string scratch() {
   return folder.name;
 }
 
+/// The folder of the running test in scratch(), with a "/" at its end; empty at first.
+inline std::string own_folder() {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  const std::string name = scratch() + test.test_suite_name() + "." + test.name() + "/";
+  std::filesystem::remove_all(name);
+  std::filesystem::create_directories(name);
+  return name;
+}
+
 }  // namespace liecheck

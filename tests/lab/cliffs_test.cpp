@@ -4,24 +4,23 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/campaign.hpp>
 #include <campaign/cliffs.hpp>
 #include <campaign/expected.hpp>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <store/stored_run.hpp>
 
+#include "../campaigns.hpp"
+
 namespace liecheck::properties {
 namespace {
 
 CampaignOptions options(const std::string& subject, std::uint64_t cases, const std::string& lines = "") {
-  CampaignOptions o;
-  o.selection = {{subject}, {"exp_oracle"}, {"double"}};
+  CampaignOptions o = quiet({{subject}, {"exp_oracle"}, {"double"}}, cases, 2);
   if (!lines.empty())
     o.selection.limits = {std::make_shared<const SubjectLimits>(
         parse_limits("own.limits", "version = 2\nsubject = " + subject + "\n" + lines))};
   o.selection.profiles[""] = Profile::half;
-  o.cases = cases, o.jobs = 2, o.quiet = true;
   return o;
 }
 CampaignResult run(const std::string& subject, std::uint64_t cases, const std::string& lines = "") {

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <subjects/tree.hpp>
 
-#include "own_subject.hpp"
+#include "../own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {

@@ -28,7 +28,7 @@ std::vector<HistoricBug> planted() {
           row("test_found", forms(op::log3_quaternion, wrong_log, right_log), HistoryKind::bug),
           row("test_silent", forms(op::log3_quaternion, right_log, right_log), HistoryKind::control)};
 }
-const HistoryRows registered(planted);
+const HistoryRows registered_rows(planted);
 
 bool of_a_test(const HistoricBug& b) {
   return b.name.rfind("test_", 0) == 0;

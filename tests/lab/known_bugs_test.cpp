@@ -4,7 +4,7 @@
 #include <bugs/weak_tests.hpp>
 #include <set>
 
-#include "own_subject.hpp"
+#include "../own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {

@@ -12,7 +12,8 @@
 #include <set>
 #include <support/files.hpp>
 
-#include "own_subject.hpp"
+#include "../own_subject.hpp"
+#include "../refusal.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -269,12 +270,7 @@ class VerdictsOfARun : public testing::Test {
     return o;
   }
   std::string error_of(const LatticeOptions& o) const {
-    try {
-      run_lattice(o, built_in_robot());
-    } catch (const std::runtime_error& e) {
-      return e.what();
-    }
-    return "";
+    return test::refusal<std::runtime_error>([&] { run_lattice(o, built_in_robot()); });
   }
   const std::string file_ =
       (std::filesystem::temp_directory_path() / ("liecheck_lattice_" + std::to_string(getpid()))).string();

@@ -7,7 +7,7 @@
 #include <timing/score.hpp>
 #include <wide/wide_errors.hpp>
 
-#include "own_subject.hpp"
+#include "../own_subject.hpp"
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
 #include <array>
-#include <campaign/campaign.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +13,10 @@
 #include <liecheck/spatial/euler.hpp>
 #include <sstream>
 
+#include "../campaigns.hpp"
+#include "../refusal.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -39,14 +41,11 @@ std::string failure_of(const std::string& command, double timeout_s = 5) {
   std::array<double, 3> phi{0.1, 0.2, 0.3};
   std::array<double, 4> Q{};
   std::array<Status, 1> status{};
-  try {
+  return test::refusal<AdapterFailed>([&] {
     start_process(command, timeout_s)
         ->call({*sizes_of("exp3_quaternion"), true, 1, std::as_bytes(std::span(phi)),
                 std::as_writable_bytes(std::span(Q)), status});
-  } catch (const AdapterFailed& e) {
-    return e.what();
-  }
-  return "";
+  });
 }
 
 TEST(Adapters, WhatIsWrongWithACallIsSaidInWords) {
@@ -99,10 +98,7 @@ TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
       "; if [ $n -gt 1 ] || [ $((i % 7)) = 0 ]; then kill -SEGV $$; fi; echo \"done "
       "$n\"; head -c $((33 * n)) /dev/zero"));
   EXPECT_EQ(name, "shell");
-  CampaignOptions options;
-  options.selection = {{"shell", "liecheck"}, {"exp_oracle"}, {"double"}};
-  options.cases = 40, options.jobs = 1, options.quiet = true;
-  const CampaignResult r = run_campaign(options, built_in_robot());
+  const CampaignResult r = run_quietly({{"shell", "liecheck"}, {"exp_oracle"}, {"double"}}, 40);
   std::uint64_t crashed = 0;
   for (const SeriesResult& s : r.series)
     for (const auto& [cell, row] : s.tally.rows) {
@@ -167,11 +163,8 @@ for call in iter(calls.readline, b""):
 }
 
 /// Runs the program, and returns its exit code and what it printed.
-std::pair<int, std::string> run(const std::string& arguments) {
-  FILE* const out = popen((LIECHECK_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
-  std::string text;
-  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-  return {WEXITSTATUS(pclose(out)), text};
+Answer run(const std::string& arguments) {
+  return shell(LIECHECK_PROGRAM " " + arguments);
 }
 
 TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
@@ -290,13 +283,8 @@ TEST(Adapters, StatedConventionsAreConverted) {
 }
 
 TEST(Adapters, StatedConventionsThatAreUnknownOrWrongAreSaidInWords) {
-  const auto refusal = [](const std::string& stated) -> std::string {
-    try {
-      start(python_adapter(stated));
-    } catch (const AdapterFailed& e) {
-      return e.what();
-    }
-    return "";
+  const auto refusal = [](const std::string& stated) {
+    return test::refusal<AdapterFailed>([&] { start(python_adapter(stated)); });
   };
   EXPECT_EQ(
       refusal(R"({"quaternion": "zyxw"})"),

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <numbers>
 #include <operations/numbers.hpp>
-#include <subjects/typed.hpp>
+#include <sstream>
+
+#include "../own_subject.hpp"
 
 namespace liecheck::properties::conventions {
 namespace {
@@ -34,9 +36,7 @@ template Library library(const SpatialSlots<float>&);
 template Library library(const SpatialSlots<double>&);
 
 Library correct() {
-  for (const TypedSubject<double>* s : typed_subjects<double>())
-    if (s->name == "liecheck") return of_slots<double>(s->operations);
-  return {};
+  return of_slots<double>(own_subject().operations);
 }
 
 void change_arguments(Library& l, const Places& where, const Change& change) {
@@ -74,84 +74,58 @@ void transpose(double* v) {
     for (int j = 0; j < i; ++j) std::swap(v[N * i + j], v[N * j + i]);
 }
 
-const Places quaternion_arguments{{"log3_quaternion", 0},
-                                  {"log3_any_norm", 0},
-                                  {"rotate_point", 0},
-                                  {"rotate_point_any_norm", 0},
-                                  {"quaternion_matrix", 0},
-                                  {"integrate", 3},
-                                  {"integrate_any_norm", 3},
-                                  {"difference", 3},
-                                  {"difference", 10},
-                                  {"difference_any_norm", 3},
-                                  {"difference_any_norm", 10},
-                                  {"d_difference_arg0", 3},
-                                  {"d_difference_arg0", 10},
-                                  {"d_difference_arg1", 3},
-                                  {"d_difference_arg1", 10},
-                                  {"d_difference_any_norm", 3},
-                                  {"d_difference_any_norm", 10},
-                                  {"relative_angle", 0},
-                                  {"relative_angle", 4},
-                                  {"twist_angle", 0},
-                                  {"slerp", 0},
-                                  {"slerp", 4},
-                                  {"euler_from_quaternion", 1},
-                                  {"velocity_to_rate", 3},
-                                  {"rate_to_velocity", 3},
-                                  {"rate_to_velocity", 10}},
-    quaternion_results{{"exp3_quaternion", 0}, {"integrate", 3},        {"integrate_any_norm", 3},
-                       {"slerp", 0},           {"rotation_between", 0}, {"euler_to_quaternion", 0},
-                       {"velocity_to_rate", 3}},
-    tangent_arguments{{"exp6", 0},
-                      {"left_jacobian6", 0},
-                      {"right_jacobian6", 0},
-                      {"left_jacobian6_inverse", 0},
-                      {"right_jacobian6_inverse", 0},
-                      {"integrate", 7},
-                      {"integrate_any_norm", 7},
-                      {"d_integrate_arg0", 7},
-                      {"d_integrate_arg1", 7}},
-    tangent_results{{"log6", 0}, {"difference", 0}, {"difference_any_norm", 0}},
-    twist_arguments{{"act_motion", 12},     {"act_inverse_motion", 12}, {"cross_motion", 0},
-                    {"cross_motion", 6},    {"cross_force", 0},         {"momentum", 13},
-                    {"kinetic_energy", 13}, {"velocity_to_rate", 7}},
-    twist_results{{"act_motion", 0}, {"act_inverse_motion", 0}, {"cross_motion", 0}, {"rate_to_velocity", 0}},
-    wrench_arguments{{"act_force", 12}, {"act_inverse_force", 12}, {"cross_force", 6}},
-    wrench_results{{"act_force", 0}, {"act_inverse_force", 0}, {"cross_force", 0}, {"momentum", 0}},
-    pose_arguments{{"log6", 0},
-                   {"compose", 0},
-                   {"compose", 12},
-                   {"inverse", 0},
-                   {"act_point", 0},
-                   {"act_motion", 0},
-                   {"act_inverse_motion", 0},
-                   {"act_force", 0},
-                   {"act_inverse_force", 0},
-                   {"act_inertia", 0},
-                   {"act_inverse_inertia", 0}},
-    pose_results{{"exp6", 0}, {"compose", 0}, {"inverse", 0}},
-    jacobians3{{"left_jacobian3", 0},
-               {"right_jacobian3", 0},
-               {"left_jacobian3_inverse", 0},
-               {"right_jacobian3_inverse", 0}},
-    jacobians6{{"left_jacobian6", 0},          {"right_jacobian6", 0},   {"left_jacobian6_inverse", 0},
-               {"right_jacobian6_inverse", 0}, {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},
-               {"d_difference_arg0", 0},       {"d_difference_arg1", 0}, {"d_difference_any_norm", 0}},
-    configuration_arguments{
-        {"integrate", 0},         {"integrate_any_norm", 0},    {"difference", 0},
-        {"difference", 7},        {"difference_any_norm", 0},   {"difference_any_norm", 7},
-        {"d_difference_arg0", 0}, {"d_difference_arg0", 7},     {"d_difference_arg1", 0},
-        {"d_difference_arg1", 7}, {"d_difference_any_norm", 0}, {"d_difference_any_norm", 7},
-        {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},      {"integrate_coefficient_jacobian", 0},
-        {"velocity_to_rate", 0},  {"rate_to_velocity", 0},      {"rate_to_velocity", 7}},
-    configuration_results{{"integrate", 0}, {"integrate_any_norm", 0}, {"velocity_to_rate", 0}},
-    body_arguments{{"act_inertia", 12},
-                   {"act_inverse_inertia", 12},
-                   {"momentum", 0},
-                   {"kinetic_energy", 0},
-                   {"inertia_matrix", 0}},
-    body_results{{"act_inertia", 0}, {"act_inverse_inertia", 0}};
+/// Places by words: operations, each with its offsets.
+Places places(const std::string& text) {
+  Places all;
+  std::istringstream words(text);
+  std::string operation;
+  for (std::string word; words >> word;)
+    if (std::isdigit(static_cast<unsigned char>(word[0])))
+      all.emplace_back(operation, std::stol(word));
+    else
+      operation = word;
+  return all;
+}
+
+const Places
+    quaternion_arguments = places(
+        "log3_quaternion 0 log3_any_norm 0 rotate_point 0 rotate_point_any_norm 0 "
+        "quaternion_matrix 0 integrate 3 integrate_any_norm 3 difference 3 10 "
+        "difference_any_norm 3 10 d_difference_arg0 3 10 d_difference_arg1 3 10 "
+        "d_difference_any_norm 3 10 relative_angle 0 4 twist_angle 0 slerp 0 4 "
+        "euler_from_quaternion 1 velocity_to_rate 3 rate_to_velocity 3 10"),
+    quaternion_results = places(
+        "exp3_quaternion 0 integrate 3 integrate_any_norm 3 slerp 0 rotation_between 0 "
+        "euler_to_quaternion 0 velocity_to_rate 3"),
+    tangent_arguments = places(
+        "exp6 0 left_jacobian6 0 right_jacobian6 0 left_jacobian6_inverse 0 "
+        "right_jacobian6_inverse 0 integrate 7 integrate_any_norm 7 d_integrate_arg0 7 "
+        "d_integrate_arg1 7"),
+    tangent_results = places("log6 0 difference 0 difference_any_norm 0"),
+    twist_arguments = places(
+        "act_motion 12 act_inverse_motion 12 cross_motion 0 6 cross_force 0 momentum 13 "
+        "kinetic_energy 13 velocity_to_rate 7"),
+    twist_results = places("act_motion 0 act_inverse_motion 0 cross_motion 0 rate_to_velocity 0"),
+    wrench_arguments = places("act_force 12 act_inverse_force 12 cross_force 6"),
+    wrench_results = places("act_force 0 act_inverse_force 0 cross_force 0 momentum 0"),
+    pose_arguments = places(
+        "log6 0 compose 0 12 inverse 0 act_point 0 act_motion 0 act_inverse_motion 0 act_force 0 "
+        "act_inverse_force 0 act_inertia 0 act_inverse_inertia 0"),
+    pose_results = places("exp6 0 compose 0 inverse 0"),
+    jacobians3 =
+        places("left_jacobian3 0 right_jacobian3 0 left_jacobian3_inverse 0 right_jacobian3_inverse 0"),
+    jacobians6 = places(
+        "left_jacobian6 0 right_jacobian6 0 left_jacobian6_inverse 0 right_jacobian6_inverse 0 "
+        "d_integrate_arg0 0 d_integrate_arg1 0 d_difference_arg0 0 d_difference_arg1 0 "
+        "d_difference_any_norm 0"),
+    configuration_arguments = places(
+        "integrate 0 integrate_any_norm 0 difference 0 7 difference_any_norm 0 7 "
+        "d_difference_arg0 0 7 d_difference_arg1 0 7 d_difference_any_norm 0 7 d_integrate_arg0 0 "
+        "d_integrate_arg1 0 integrate_coefficient_jacobian 0 velocity_to_rate 0 rate_to_velocity 0 7"),
+    configuration_results = places("integrate 0 integrate_any_norm 0 velocity_to_rate 0"),
+    body_arguments =
+        places("act_inertia 12 act_inverse_inertia 12 momentum 0 kinetic_energy 0 inertia_matrix 0"),
+    body_results = places("act_inertia 0 act_inverse_inertia 0");
 
 }  // namespace
 
@@ -218,16 +192,11 @@ void degrees(Library& l) {
   change_arguments(l, {{"se2_exp", 2}, {"se2_integrate", 6}}, one(std::numbers::pi / 180));
   change_results(l, {{"relative_angle", 0}, {"twist_angle", 0}, {"se2_log", 2}, {"se2_difference", 2}},
                  one(180 / std::numbers::pi));
-  Places inside_arguments{
-      {"exp3_quaternion", 0}, {"exp3_matrix", 0}, {"euler_to_quaternion", 1}, {"euler_to_matrix", 1}},
-      inside_results;
+  Places inside_arguments = places("exp3_quaternion 0 exp3_matrix 0 euler_to_quaternion 1 euler_to_matrix 1"),
+         inside_results = places(
+             "log3_quaternion 0 log3_any_norm 0 log3_matrix 0 euler_from_quaternion 0 euler_from_matrix 0");
   for (auto [name, at] : jacobians3) inside_arguments.emplace_back(name, at);
   for (auto [name, at] : tangent_arguments) inside_arguments.emplace_back(name, at + 3);
-  inside_results = {{"log3_quaternion", 0},
-                    {"log3_any_norm", 0},
-                    {"log3_matrix", 0},
-                    {"euler_from_quaternion", 0},
-                    {"euler_from_matrix", 0}};
   for (auto [name, at] : tangent_results) inside_results.emplace_back(name, at + 3);
   change_arguments(l, inside_arguments, to_radians), change_results(l, inside_results, to_degrees);
 }

@@ -11,9 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <support/files.hpp>
 
 #include "../sample.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -36,16 +38,12 @@ void PrintTo(const BadWay& way, std::ostream* to) {
 
 class BadCitizen : public testing::TestWithParam<BadWay> {
  protected:
-  std::string text(const char* file) const {
-    std::ostringstream all;
-    all << std::ifstream(folder_ / file).rdbuf();
-    return all.str();
-  }
+  std::string text(const char* file) const { return read_whole(folder_ / file); }
   /// Returns the exit code. Standard output goes to `out`.
   int run(const std::string& arguments, const char* out, const char* way = GetParam().name) const {
-    const std::string command = "cd " + folder_.string() + " && LIECHECK_BAD=" + way +
-                                " timeout 350 " LIECHECK_PROGRAM " " + arguments + " > " + out + " 2> err";
-    return WEXITSTATUS(std::system(command.c_str()));
+    return shell("cd " + folder_.string() + " && LIECHECK_BAD=" + way + " timeout 350 " LIECHECK_PROGRAM " " +
+                 arguments + " > " + out + " 2> err")
+        .code;
   }
   /// A campaign of the adapter, with a record. Returns the exit code.
   int campaign(const std::string& adapter, const char* way) const {
@@ -65,12 +63,7 @@ class BadCitizen : public testing::TestWithParam<BadWay> {
       if (row["subject"] == "bad") n += row[field].get<std::uint64_t>();
     return n;
   }
-  void SetUp() override {
-    folder_ = std::filesystem::path(liecheck::scratch()) /
-              (std::string("bad_") + GetParam().name + std::to_string(GetParam().cases));
-    std::filesystem::create_directories(folder_);
-  }
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = own_folder();
 };
 
 TEST_P(BadCitizen, IsAnOutcomeOfItsInputAndTheCampaignIsComplete) {
@@ -148,18 +141,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadWay{"threads", "not_repeatable", "when two threads call at the same time", 3000}),
     [](const auto& info) { return std::string(info.param.name); });
 
-/// The exit code and the output of a command.
-std::pair<int, std::string> said_by(const std::string& command) {
-  FILE* const out = popen((command + " 2>&1").c_str(), "r");
-  std::string text;
-  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-  return {WEXITSTATUS(pclose(out)), text};
-}
-
 TEST(BadCitizens, ThatEndTheProgramAreNamedAndDoNotPass) {
   for (const auto& [way, how] :
        {std::pair("exit", "exit()"), {"abort", "the signal SIGABRT"}, {"segfault", "the signal SIGSEGV"}}) {
-    const auto [code, text] = said_by(std::string("LIECHECK_BAD=") + way +
+    const auto [code, text] = shell(std::string("LIECHECK_BAD=") + way +
                                       " " LIECHECK_PROGRAM
                                       " campaign --no-hard-cases --no-probe --property exp_oracle "
                                       "--adapter in-process:" LIECHECK_BAD_CITIZENS);
@@ -174,7 +159,7 @@ TEST(BadCitizens, ThatEndTheProgramAreNamedAndDoNotPass) {
 TEST(BadCitizens, ThatNeverAnswerEndWithTheCampaignAndAreNamed) {
   for (const char* stop : {"--for 1s", "--cases 1000000 & p=$!; sleep 4; kill -TERM $p; wait $p"}) {
     const auto begin = std::chrono::steady_clock::now();
-    const auto [code, text] = said_by(
+    const auto [code, text] = shell(
         std::string(
             "(LIECHECK_BAD=always timeout 60 " LIECHECK_PROGRAM
             " campaign --no-hard-cases --no-probe --property exp_oracle -j 1 --adapter " LIECHECK_BAD_CITIZENS
@@ -197,7 +182,7 @@ TEST(TreesOfUrdfs, AreNotMeasuredWithoutOneWhichIsSaidAndIsNoPass) {
   const std::string file = liecheck::scratch() + "urdfs_only.py";
   std::ofstream(file) << program;
   for (const auto& [adapter, expected] : {std::pair<std::string, int>(LIECHECK_BAD_PYTHON, 0), {file, 3}}) {
-    const auto [code, said] = said_by("LIECHECK_BAD=none " LIECHECK_PROGRAM
+    const auto [code, said] = shell("LIECHECK_BAD=none " LIECHECK_PROGRAM
                                       " campaign --no-hard-cases --cases 20 --adapter '/usr/bin/python3 " +
                                       adapter + "'");
     EXPECT_EQ(code, expected) << said;
@@ -207,14 +192,10 @@ TEST(TreesOfUrdfs, AreNotMeasuredWithoutOneWhichIsSaidAndIsNoPass) {
 
 TEST(BadCitizens, OfAnotherVersionOfTheInterfaceAreRefusedWithBothVersions) {
   for (const char* way : {"", "in-process:"}) {
-    FILE* const out =
-        popen((std::string("LIECHECK_BAD=version " LIECHECK_PROGRAM " campaign --cases 1 --adapter ") + way +
-               LIECHECK_BAD_CITIZENS " 2>&1")
-                  .c_str(),
-              "r");
-    std::string text;
-    for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-    EXPECT_EQ(WEXITSTATUS(pclose(out)), 2);
+    const auto [code, text] =
+        shell(std::string("LIECHECK_BAD=version " LIECHECK_PROGRAM " campaign --cases 1 --adapter ") + way +
+              LIECHECK_BAD_CITIZENS);
+    EXPECT_EQ(code, 2);
     EXPECT_NE(text.find("has version 7 of the interface, and this program versions 1 to 2"), text.npos)
         << text;
   }

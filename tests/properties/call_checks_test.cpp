@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <atomic>
-#include <campaign/campaign.hpp>
 #include <campaign/series.hpp>
 #include <failures/description.hpp>
 #include <search/shrink.hpp>
 #include <subjects/tree.hpp>
+
+#include "../campaigns.hpp"
+#include "../own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -19,9 +21,7 @@ using V6 = O::V6;
 using X = VecX<double>;
 
 const O& good() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return s->operations;
-  throw std::logic_error("liecheck is not registered");
+  return own_subject().operations;
 }
 
 /// Changes the last bit of x in every second call.
@@ -30,79 +30,58 @@ void flicker(double& x) {
   if (++calls % 2 == 0) x = std::nextafter(x, 2 * std::fabs(x) + 1);
 }
 
-TypedSubject<double> planted(const std::string& name, void (*plant)(O&)) {
-  TypedSubject<double> s;
-  s.name = "call:" + name;
-  plant(s.operations);
-  return s;
-}
-
 const Registered<double> subjects_with_bad_calls[] = {
-    Registered<double>(planted("flickers",
-                               [](O& o) {
-                                 o[op::exp6] = [](const V6& xi) {
-                                   auto T = good()[op::exp6](xi);
-                                   flicker(T.p[0]);
-                                   return T;
-                                 };
-                               })),
-    Registered<double>(planted("writes",
-                               [](O& o) {
-                                 o[op::exp6] = [](const V6& xi) {
-                                   auto T = good()[op::exp6](xi);
-                                   const_cast<V6&>(xi)[0] = 7;  // NOLINT: the fault
-                                   return T;
-                                 };
-                               })),
-    Registered<double>(planted("leaves",
-                               [](O& o) {
-                                 o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
-                                   V4 Q;
-                                   Q.head<3>() = good()[op::exp3_quaternion](phi).head<3>();
-                                   return Q;
-                                 };
-                               })),
-    Registered<double>(planted("once",
-                               [](O& o) {
-                                 o[op::exp6] = [](const V6& xi) {
-                                   static std::atomic<int> calls{0};
-                                   auto T = good()[op::exp6](xi);
-                                   if (++calls == 23) T.p *= 1.5;
-                                   return T;
-                                 };
-                               })),
-    Registered<double>(planted("robot",
-                               [](O& o) {
-                                 o.robot = [](const std::string& urdf, bool fixed) {
-                                   auto r = good().robot(urdf, fixed);
-                                   r[op::robot_integrate] = [f = r[op::robot_integrate]](const X& q,
-                                                                                         const X& d) {
-                                     X next = f(q, d);
-                                     flicker(next[0]);
-                                     return next;
-                                   };
-                                   return r;
-                                 };
-                               })),
-    Registered<double>(planted("tree",
-                               [](O& o) {
-                                 o.tree = [](const Tree<double>& tree) {
-                                   auto t = good().tree(tree);
-                                   t[op::tree_gravity] = [f = t[op::tree_gravity]](const X& q) {
-                                     X tau = f(q);
-                                     flicker(tau[0]);
-                                     return tau;
-                                   };
-                                   return t;
-                                 };
-                               })),
-};
+    registered("call:flickers", op::exp6,
+               [](const V6& xi) {
+                 auto T = good()[op::exp6](xi);
+                 flicker(T.p[0]);
+                 return T;
+               }),
+    registered("call:writes", op::exp6,
+               [](const V6& xi) {
+                 auto T = good()[op::exp6](xi);
+                 const_cast<V6&>(xi)[0] = 7;  // NOLINT: the fault
+                 return T;
+               }),
+    registered("call:leaves", op::exp3_quaternion,
+               [](const V3& phi) -> V4 {
+                 V4 Q;
+                 Q.head<3>() = good()[op::exp3_quaternion](phi).head<3>();
+                 return Q;
+               }),
+    registered("call:once", op::exp6,
+               [](const V6& xi) {
+                 static std::atomic<int> calls{0};
+                 auto T = good()[op::exp6](xi);
+                 if (++calls == 23) T.p *= 1.5;
+                 return T;
+               }),
+    registered("call:robot",
+               [](O& o) {
+                 o.robot = [](const std::string& urdf, bool fixed) {
+                   auto r = good().robot(urdf, fixed);
+                   r[op::robot_integrate] = [f = r[op::robot_integrate]](const X& q, const X& d) {
+                     X next = f(q, d);
+                     flicker(next[0]);
+                     return next;
+                   };
+                   return r;
+                 };
+               }),
+    registered("call:tree", [](O& o) {
+      o.tree = [](const Tree<double>& tree) {
+        auto t = good().tree(tree);
+        t[op::tree_gravity] = [f = t[op::tree_gravity]](const X& q) {
+          X tau = f(q);
+          flicker(tau[0]);
+          return tau;
+        };
+        return t;
+      };
+    })};
 
 CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 40) {
-  CampaignOptions options;
-  options.selection = {{subject}, {property}, {"double"}};
-  options.cases = cases, options.quiet = true;
-  return run_campaign(options, built_in_robot());
+  return run_quietly({{subject}, {property}, {"double"}}, cases);
 }
 
 /// The sum of a count over the rows of an operation.
@@ -213,10 +192,7 @@ TEST(CallChecks, ConcernTheFunctionsOfRobotsAndTrees) {
 
 TEST(CallChecks, FindNothingInCorrectCallsOfAnyScalarAndLaw) {
   for (const char* scalar : {"float", "double"}) {
-    CampaignOptions options;
-    options.selection = {{"liecheck", "textbook"}, {}, {scalar}};
-    options.cases = 33, options.quiet = true;
-    const CampaignResult r = run_campaign(options, built_in_robot());
+    const CampaignResult r = run_quietly({{"liecheck", "textbook"}, {}, {scalar}}, 33);
     EXPECT_GT(r.series.size(), 10u);
     for (const SeriesResult& s : r.series)
       for (const auto& [cell, row] : s.tally.rows)

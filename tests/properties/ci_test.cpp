@@ -2,20 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "pages.hpp"
 
 namespace liecheck::properties {
 namespace {
-
-const std::string root = LIECHECK_FIXTURES "/../";
-
-std::string read(const std::string& path) {
-  std::ifstream file(root + path);
-  EXPECT_TRUE(file) << path;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 TEST(CiFiles, AreThoseOfTheDocs) {
   const std::string docs = read("docs/ci.md");

@@ -16,7 +16,6 @@
 namespace liecheck::enclosures {
 namespace {
 
-
 template <int N>
 std::string text(const char* name, const Vec<N>& v) {
   std::ostringstream s;
@@ -175,13 +174,25 @@ const std::vector<Vec3<>>& lengths() {
 }
 
 TEST_F(EnclosureInDouble, ContainsExpJacobiansAndIntegrateAtExtremeAnglesAndLengths) {
-  for (const double theta : {0.0, 5e-324, 3e-310, 1e-160, 1.0, 3.141592653589793, 3.1415926535897936,
-                             6.283185307179586, 6.283185307179587, 15.9, 16.0, 16.1, 1e8, 1e24})
+  const std::vector<Real> angles{Real(0),
+                                 Real("1e-4940"),
+                                 Real(5e-324),
+                                 Real(3e-310),
+                                 Real(1e-160),
+                                 Real(1),
+                                 Real(3.141592653589793),
+                                 Real(3.1415926535897936),
+                                 Real(6.283185307179586),
+                                 Real(6.283185307179587),
+                                 Real(15.9),
+                                 Real(16),
+                                 Real(16.1),
+                                 Real(1e8),
+                                 Real(1e24)};
+  for (const Real& theta : angles)
     for (const Vec3<>& rho : lengths())
       for (const Vec3<>& axis : {vector(0, 0, 1), vector(1, 1e-20, 0), vector(1, 1, 1)}) {
-        const Vec6<> xi = stack(rho, Vec3<>{{exact<Real>(theta * static_cast<double>(axis[0])),
-                                             exact<Real>(theta * static_cast<double>(axis[1])),
-                                             exact<Real>(theta * static_cast<double>(axis[2]))}});
+        const Vec6<> xi = stack(rho, theta * axis);
         if (norm(tail3(xi)) > 1e24) continue;  // outside the Jacobians' domain
         ledger_.input = text("xi", xi);
         checks_.exp(xi);
@@ -203,6 +214,16 @@ TEST_F(EnclosureInDouble, ContainsExpOfHugeAngles) {
   const Vec6<> xi = stack(lengths()[1], Vec3<>{{Real("1e4900"), Real("-3e4899"), Real(0)}});
   ledger_.input = text("xi", xi);
   Checks<Wide>(ledger_).exp(xi);
+}
+
+/// A translation across the axis shrinks with the distance to 2 pi.
+TEST_F(EnclosureInDouble, ContainsExpNearTwoPi) {
+  for (const char* distance : {"1e-10", "-1e-20", "1e-34", "-1e-40"}) {
+    const Real theta = 2 * boost::math::constants::pi<Real>() + Real(distance);
+    const Vec6<> xi = stack(vector(1, -2, 0), Vec3<>{{Real(0), Real(0), theta}});
+    ledger_.input = text("xi", xi);
+    checks_.exp(xi);
+  }
 }
 
 TEST_F(EnclosureInDouble, ContainsLogsAtThetaEqualToPiAndNearIt) {
@@ -237,6 +258,8 @@ TEST_F(EnclosureInDouble, ContainsLogsAtTheIdentityAndAtSubnormalAngles) {
         checks_.log(R, p);
         checks_.difference({{p[0], p[1], p[2], Q[0], Q[1], Q[2], Q[3]}},
                            {{p[0], p[1], Real(1), Q[0], Q[1], Q[2], -Q[3]}});
+        checks_.difference({{p[0], p[1], p[2], Real(0), Real(0.6), Real(0), Real(0.8)}},
+                           {{p[0], p[1] + Real(t), p[2], Real(t), Real(0.6), Real(0), Real(0.8)}});
       }
 }
 

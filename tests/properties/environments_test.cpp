@@ -10,8 +10,9 @@
 #include <environments/measure.hpp>
 #include <limits>
 #include <set>
-#include <stdexcept>
-#include <subjects/typed.hpp>
+
+#include "../own_subject.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties::environments {
 namespace {
@@ -44,9 +45,8 @@ TEST(Arithmetic, OfAProgramThatIsUnusualJudgesNothing) {
                              " LIECHECK_ARITHMETIC=" +
                              how +
                              " " LIECHECK_PROGRAM
-                             " campaign --property exp_oracle --scalar double --cases 2 -j 1 --no-hard-cases "
-                             ">/dev/null 2>&1";
-    return WEXITSTATUS(std::system(line.c_str()));
+                             " campaign --property exp_oracle --scalar double --cases 2 -j 1 --no-hard-cases";
+    return shell(line).code;
   };
   EXPECT_EQ(code("none"), 0);
   EXPECT_EQ(code("up"), 2);
@@ -61,17 +61,11 @@ TEST(Arithmetic, OfAProgramThatIsUnusualJudgesNothing) {
 }
 
 /// exp3_quaternion of liecheck, which then rounds up in every second call.
-const Registered<double> changes([] {
-  TypedSubject<double> s;
-  s.name = "environment:changes";
-  s.operations[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
-    std::fesetround(FE_UPWARD);
-    for (const auto* other : typed_subjects<double>())
-      if (other->name == "liecheck") return other->operations[op::exp3_quaternion](phi);
-    throw std::logic_error("liecheck is not registered");
-  };
-  return s;
-}());
+const Registered<double> changes =
+    registered("environment:changes", op::exp3_quaternion, [](const O::V3& phi) -> O::V4 {
+      std::fesetround(FE_UPWARD);
+      return own_subject().operations[op::exp3_quaternion](phi);
+    });
 
 TEST(Arithmetic, ThatACallChangesIsSetBackAndFailsWhetherTheCallIsCheckedOrNot) {
   const auto series = select({{"environment:changes"}, {"exp_oracle"}, {"double"}}, built_in_robot());

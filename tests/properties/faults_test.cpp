@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <store/merge.hpp>
 #include <store/store.hpp>
+#include <support/files.hpp>
 
 #include "../sample.hpp"
 #include "../scratch.hpp"
@@ -19,11 +20,6 @@ namespace liecheck::properties {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A folder in which shell lines run. $L is the program, $S a scene, $R a robot.
 class Faults : public testing::Test {
@@ -71,10 +67,10 @@ void expect_the_same(const fs::path& usual, const fs::path& odd,
   for (const fs::path& folder : {usual, odd})
     for (const char* file : {"s.db", "a.db", "b.db", "m.db"}) fs::remove(folder / file);
   for (const auto& [line, file] : commands) {
-    ASSERT_EQ(here(usual, line), 0) << line << read(usual / "err");
-    EXPECT_EQ(there(odd, line), 0) << line << read(odd / "err");
-    EXPECT_FALSE(read(usual / file).empty()) << line;
-    EXPECT_EQ(read(odd / file), read(usual / file)) << line;
+    ASSERT_EQ(here(usual, line), 0) << line << read_whole(usual / "err");
+    EXPECT_EQ(there(odd, line), 0) << line << read_whole(odd / "err");
+    EXPECT_FALSE(read_whole(usual / file).empty()) << line;
+    EXPECT_EQ(read_whole(odd / file), read_whole(usual / file)) << line;
   }
 }
 
@@ -104,9 +100,9 @@ TEST_F(Faults, ALocaleWithADecimalCommaChangesNothing) {
   fs::create_directories(odd);
   // Compiled here, since few machines have one installed.
   if (shell(odd, "localedef -i de_DE -f UTF-8 ./de_DE.UTF-8") != 0)
-    GTEST_SKIP() << "no source of a locale: " << read(odd / "err");
+    GTEST_SKIP() << "no source of a locale: " << read_whole(odd / "err");
   ASSERT_EQ(shell(odd, "LOCPATH=\"$PWD\" LC_ALL=de_DE.UTF-8 locale decimal_point"), 0);
-  ASSERT_EQ(read(odd / "out"), ",\n");
+  ASSERT_EQ(read_whole(odd / "out"), ",\n");
   expect_the_same(
       usual, odd,
       [](const fs::path& folder, const std::string& line) {
@@ -128,13 +124,13 @@ TEST_F(Faults, AClockThatIsSetBackChangesNothing) {
 // A clock that was set back: what is there comes from the future.
 TEST_F(Faults, FilesFromTheFutureAreUsedAsOthers) {
   fs::remove(usual / "s.db");
-  ASSERT_EQ(shell(usual, campaign + "--store s.db"), 0) << read(usual / "err");
+  ASSERT_EQ(shell(usual, campaign + "--store s.db"), 0) << read_whole(usual / "err");
   ASSERT_EQ(shell(usual, "touch -d '2099-01-01' s.db . && " + campaign + "--store s.db --resume"), 0)
-      << read(usual / "err");
+      << read_whole(usual / "err");
   ASSERT_EQ(
       shell(usual, "touch -d '1970-01-02' s.db && $L export s.db --out e.txt && $L report s.db --out page"),
       0)
-      << read(usual / "err");
+      << read_whole(usual / "err");
 }
 
 /// A disk of `size`, where this process may mount one.
@@ -165,7 +161,7 @@ int errors_of_commands(const fs::path& folder, const std::string& before,
     // Its messages go to another disk.
     const int code =
         shell(fs::path(scratch()), before + "cd " + folder.filename().string() + " && " + command);
-    const std::string err = read(fs::path(scratch()) / "err");
+    const std::string err = read_whole(fs::path(scratch()) / "err");
     EXPECT_TRUE(code == 0 || code == 1 || code == 2 || code == 3) << code << command << err;
     if (code == 2) {
       ++errors;
@@ -175,10 +171,10 @@ int errors_of_commands(const fs::path& folder, const std::string& before,
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string name = entry.path().string();
       if (name.ends_with(".json")) {
-        EXPECT_TRUE(nlohmann::json::accept(read(name))) << name;
+        EXPECT_TRUE(nlohmann::json::accept(read_whole(name))) << name;
       }
       if (name.ends_with(".html")) {
-        EXPECT_TRUE(read(name).ends_with("</html>\n")) << name;
+        EXPECT_TRUE(read_whole(name).ends_with("</html>\n")) << name;
       }
       if (!name.ends_with(".db") || fs::file_size(name) == 0) continue;
       Store store(name, Store::Open::existing);  // throws if it is not whole

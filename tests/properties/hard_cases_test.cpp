@@ -4,13 +4,16 @@
 
 #include <campaign/robots.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <set>
-#include <subjects/typed.hpp>
+#include <sstream>
+
+#include "../own_subject.hpp"
+#include "../refusal.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -18,59 +21,36 @@ namespace {
 using O = TypedOperations<double>;
 
 const O& own_operations() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return s->operations;
-  throw std::logic_error("liecheck is not registered");
-}
-
-TypedSubject<double> with(const std::string& name, void (*plant)(O&)) {
-  TypedSubject<double> s;
-  s.name = name;
-  plant(s.operations);
-  return s;
+  return own_subject().operations;
 }
 
 const Registered<double> planted[] = {
-    Registered<double>(with("verdict_inaccurate",
-                            [](O& o) {
-                              o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
-                                return own_operations()[op::log3_quaternion](Q) * (1 + 1e-14);
-                              };
-                            })),
-    Registered<double>(with("verdict_wrong_branch",
-                            [](O& o) {  // the same rotation, theta > pi
-                              o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
-                                const O::V3 phi = own_operations()[op::log3_quaternion](Q);
-                                return phi * (1 - 2 * M_PI / phi.norm());
-                              };
-                            })),
-    Registered<double>(with("verdict_sign",
-                            [](O& o) {
-                              o[op::integrate] = [](const O::V7& q, const O::V6& d) {
-                                O::V7 r = own_operations()[op::integrate](q, d);
-                                if (r[6] < 0) r.tail<4>() *= -1;
-                                return r;
-                              };
-                            })),
-    Registered<double>(with(
-        "verdict_not_finite",
-        [](O& o) { o[op::log3_quaternion] = [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }; })),
-    Registered<double>(with("verdict_refused",
-                            [](O& o) {
-                              o[op::log3_quaternion] = [](const O::V4&) -> O::V3 {
-                                throw std::range_error("no logarithms today");
-                              };
-                            })),
-    Registered<double>(with("verdict_exp6_refused",
-                            [](O& o) {
-                              o[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
-                                return own_operations()[op::exp3_quaternion](phi);
-                              };
-                              o[op::exp6] = [](const O::V6&) -> Pose<double> {
-                                throw CallFailed("too far", op::exp6.name, Outcome::refused);
-                              };
-                            })),
-};
+    registered(
+        "verdict_inaccurate", op::log3_quaternion,
+        [](const O::V4& Q) -> O::V3 { return own_operations()[op::log3_quaternion](Q) * (1 + 1e-14); }),
+    registered("verdict_wrong_branch", op::log3_quaternion,
+               [](const O::V4& Q) -> O::V3 {  // the same rotation, theta > pi
+                 const O::V3 phi = own_operations()[op::log3_quaternion](Q);
+                 return phi * (1 - 2 * M_PI / phi.norm());
+               }),
+    registered("verdict_sign", op::integrate,
+               [](const O::V7& q, const O::V6& d) {
+                 O::V7 r = own_operations()[op::integrate](q, d);
+                 if (r[6] < 0) r.tail<4>() *= -1;
+                 return r;
+               }),
+    registered("verdict_not_finite", op::log3_quaternion,
+               [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }),
+    registered("verdict_refused", op::log3_quaternion,
+               [](const O::V4&) -> O::V3 { throw std::range_error("no logarithms today"); }),
+    registered("verdict_exp6_refused", [](O& o) {
+      o[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
+        return own_operations()[op::exp3_quaternion](phi);
+      };
+      o[op::exp6] = [](const O::V6&) -> Pose<double> {
+        throw CallFailed("too far", op::exp6.name, Outcome::refused);
+      };
+    })};
 
 HardCell cell(const std::string& subject, const std::string& line, const std::string& scalar = "double") {
   const auto cases = parse_corpus("here.txt", line);
@@ -152,29 +132,11 @@ TEST(HardCases, AreAllStableOrRightlyRefusedByLiecheck) {
 TEST(Corpus, HasEveryClassAndEveryAxisAtPi) {
   std::set<std::string> classes;
   for (const HardCase& c : built_in_corpus()) classes.insert(c.hard_class);
-  for (const char* wanted : {"theta^2 underflow",
-                             "theta^2 overflow",
-                             "subnormal",
-                             "signed zero",
-                             "cutoff",
-                             "exactly pi",
-                             "pi +- ulp",
-                             "2 pi k",
-                             "huge angle",
-                             "w = +-0",
-                             "-Q",
-                             "off unit",
-                             "off orthogonal",
-                             "reflected",
-                             "translation scale",
-                             "cancelling translation",
-                             "equal poses",
-                             "nearly equal poses",
-                             "needle",
-                             "plate",
-                             "point",
-                             "mass ratio"})
-    EXPECT_TRUE(classes.count(wanted)) << wanted;
+  std::istringstream wanted(
+      "theta^2 underflow,theta^2 overflow,subnormal,signed zero,cutoff,exactly pi,pi +- ulp,2 pi k,"
+      "huge angle,w = +-0,-Q,off unit,off orthogonal,reflected,translation scale,"
+      "cancelling translation,equal poses,nearly equal poses,needle,plate,point,mass ratio");
+  for (std::string one; std::getline(wanted, one, ',');) EXPECT_TRUE(classes.count(one)) << one;
   EXPECT_GE(built_in_corpus().size(), 150u);
   std::set<std::string> directions;  // exactly pi about each of the 26 axes, for log and for exp
   for (const HardCase& c : built_in_corpus())
@@ -183,13 +145,10 @@ TEST(Corpus, HasEveryClassAndEveryAxisAtPi) {
 }
 
 TEST(Corpus, RefusesAnInvalidLineWithItsFileLineAndValue) {
-  const auto refusal = [](const std::string& text) -> std::string {
-    try {
+  const auto refusal = [](const std::string& text) {
+    return test::refusal([&] {
       run_hard_cases({{"liecheck"}, {}, {"double"}}, built_in_robot(), parse_corpus("f.txt", text));
-    } catch (const std::invalid_argument& e) {
-      return e.what();
-    }
-    return "";
+    });
   };
   const std::string head = "# a comment\n\n";
   const auto refused = [&](const std::string& line, const std::string& part) {
@@ -243,13 +202,13 @@ TEST(HardCases, AreRecordedWithInputAndReplay) {
   for (int i : {0, 1}) {
     const std::string replay = record.at(0)["cells"].at(i)["replay"];
     const std::string command = std::string(LIECHECK_PROGRAM) + replay.substr(8) + " > /dev/null";
-    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), i) << command;
+    EXPECT_EQ(shell(command).code, i) << command;
   }
 }
 
 TEST(HardCasesOfTheProgram, DecideItsExitCode) {
   const auto exit_of = [](const std::string& arguments) {
-    return WEXITSTATUS(std::system((LIECHECK_PROGRAM + (" " + arguments) + " > /dev/null 2>&1").c_str()));
+    return shell(LIECHECK_PROGRAM " " + arguments).code;
   };
   EXPECT_EQ(exit_of("hard-cases"), 0);
   EXPECT_EQ(exit_of("hard-cases --subject textbook --scalar double"), 1);

@@ -1,7 +1,6 @@
 // Shared libraries with version 2 of the C interface: models, an object with a state, and a library's own checks.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <adapters/check.hpp>
 #include <adapters/flat_model.hpp>
@@ -9,13 +8,13 @@
 #include <adapters/subjects.hpp>
 #include <adapters/trees.hpp>
 #include <array>
-#include <campaign/campaign.hpp>
-#include <campaign/robots.hpp>
-#include <cstdlib>
 #include <set>
 #include <span>
 #include <stdexcept>
 
+#include "../campaigns.hpp"
+#include "../refusal.hpp"
+#include "../shell.hpp"
 #include "asked.hpp"
 
 namespace liecheck::properties::adapters {
@@ -44,10 +43,7 @@ TEST(LibraryModels, ASimulatorInCppObeysEveryLawOfWhatItOffers) {
   EXPECT_EQ(operations,
             (std::set<std::string>{"tree_crba", "tree_gravity", "tree_nonlinear_effects", "tree_rnea"}));
 
-  CampaignOptions options;
-  options.selection = {{register_adapter(in_process)}, {}, {}};
-  options.cases = 200, options.jobs = 2, options.quiet = true;
-  const CampaignResult r = run_campaign(options, built_in_robot());
+  const CampaignResult r = run_quietly({{register_adapter(in_process)}, {}, {}}, 200, 2);
   EXPECT_FALSE(r.failed);
   std::set<std::string> laws;
   for (const SeriesResult& s : r.series) laws.insert(s.series->property);
@@ -55,11 +51,10 @@ TEST(LibraryModels, ASimulatorInCppObeysEveryLawOfWhatItOffers) {
 }
 
 TEST(LibraryModels, ASimulatorInAProcessOfItsOwnGivesTheSame) {
-  const auto exit_code = [](const std::string& arguments) {
-    return WEXITSTATUS(std::system((LIECHECK_PROGRAM " " + arguments + " > /dev/null 2>&1").c_str()));
-  };
-  EXPECT_EQ(exit_code("adapter check " LIECHECK_HINGES), 0);
-  EXPECT_EQ(exit_code("campaign --no-hard-cases --cases 30 --property lagrange --adapter " LIECHECK_HINGES),
+  EXPECT_EQ(shell(LIECHECK_PROGRAM " adapter check " LIECHECK_HINGES).code, 0);
+  EXPECT_EQ(shell(LIECHECK_PROGRAM
+                  " campaign --no-hard-cases --cases 30 --property lagrange --adapter " LIECHECK_HINGES)
+                .code,
             0);
 }
 
@@ -194,12 +189,8 @@ TEST(LibraryModels, ARefusedModelIsSaidInWords) {
   EXPECT_EQ(adapter->description().models, (std::set<std::string>{"urdf"}));
   const UrdfModel robot = pendulum(true);
   const Model model(robot, oracles::scalar_of<double>, [&]() -> Adapter& { return *adapter; });
-  try {
-    asked(model, op::tree_crba, {0.1});
-    FAIL() << "it is not refused";
-  } catch (const std::domain_error& e) {
-    EXPECT_EQ(e.what(), std::string("the input is refused: the model is refused: no arms"));
-  }
+  EXPECT_EQ(test::refusal<std::domain_error>([&] { asked(model, op::tree_crba, {0.1}); }),
+            "the input is refused: the model is refused: no arms");
 }
 
 TEST(LibraryModels, AnotherExceptionIsARefusalAndAnUnwrittenResultIsNone) {
@@ -219,12 +210,8 @@ TEST(LibraryModels, AnotherExceptionIsARefusalAndAnUnwrittenResultIsNone) {
 TEST(LibraryModels, OfWhatCannotOpenThemAreSaidInWords) {
   liecheck_adapter without = liecheck_subject(static_cast<const Odd*>(nullptr));
   without.open_model = nullptr;
-  try {
-    linked(without);
-    FAIL() << "it is taken";
-  } catch (const AdapterFailed& e) {
-    EXPECT_EQ(e.what(), std::string("the linked adapter has no open_model, without which it takes no model"));
-  }
+  EXPECT_EQ(test::refusal<AdapterFailed>([&] { linked(without); }),
+            "the linked adapter has no open_model, without which it takes no model");
 }
 
 TEST(LibraryModels, AnObjectHasItsOwnStateAndChecks) {

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
-#include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,10 +10,13 @@
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
-#include <subjects/typed.hpp>
 #include <support/files.hpp>
 
+#include "../campaigns.hpp"
+#include "../own_subject.hpp"
+#include "../refusal.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -23,17 +24,10 @@ namespace {
 using V6 = Vec<double, 6>;
 
 /// exp6 of liecheck, which refuses to turn by more than 3 rad.
-const Registered<double> shy([] {
-  TypedSubject<double> s;
-  s.name = "limits:shy";
-  s.operations[op::exp6] = [](const V6& xi) {
-    if (!(xi.tail<3>().stableNorm() <= 3)) throw std::domain_error("more than 3 rad");
-    for (const auto* subject : typed_subjects<double>())
-      if (subject->name == "liecheck") return subject->operations[op::exp6](xi);
-    throw std::logic_error("liecheck is not registered");
-  };
-  return s;
-}());
+const Registered<double> shy = registered("limits:shy", op::exp6, [](const V6& xi) {
+  if (!(xi.tail<3>().stableNorm() <= 3)) throw std::domain_error("more than 3 rad");
+  return own_subject().operations[op::exp6](xi);
+});
 
 std::shared_ptr<const SubjectLimits> limits(const std::string& lines,
                                             const std::string& subject = "liecheck") {
@@ -47,10 +41,8 @@ std::vector<Budget> table_of(const std::shared_ptr<const SubjectLimits>& own) {
 
 CampaignOptions options(const std::string& subject, std::shared_ptr<const SubjectLimits> own,
                         const std::string& property = "exp_oracle", std::uint64_t cases = 600) {
-  CampaignOptions o;
-  o.selection = {{subject}, {property}, {"double"}};
+  CampaignOptions o = quiet({{subject}, {property}, {"double"}}, cases);
   if (own) o.selection.limits = {std::move(own)};
-  o.cases = cases, o.quiet = true;
   return o;
 }
 CampaignResult run(const std::string& subject, std::shared_ptr<const SubjectLimits> own,
@@ -78,14 +70,8 @@ std::uint64_t failed_beyond_pi(const CampaignResult& r) {
 }
 
 /// The message of the exception that f throws, or "".
-template <class F>
-std::string error(F f) {
-  try {
-    f();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "";
+std::string error(const auto& f) {
+  return test::refusal<std::exception>(f);
 }
 
 TEST(Limits, TurnAFailureIntoAPassAndThePassOfAnotherIntoAFailure) {
@@ -315,10 +301,7 @@ TEST(LimitsRecords, NameTheFileAndItsHash) {
 
 class LimitsInStores : public testing::Test {
  protected:
-  std::filesystem::path folder =
-      std::filesystem::path(liecheck::scratch()) / fmt::format("liecheck_limits_{}", ::getpid());
-  void SetUp() override { std::filesystem::create_directories(folder); }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  const std::filesystem::path folder = own_folder();
 
   std::string store(const std::string& name, std::shared_ptr<const SubjectLimits> own, unsigned shard = 1,
                     bool resume = false) const {
@@ -367,8 +350,7 @@ TEST_F(LimitsInStores, TheProgramJudgesReplaysAndReportsByTheSameFile) {
   write_whole(file,
               "version = 1\nsubject = liecheck\n[limits]\nexp6, translation, to_pi, forward = 1e-3, mine\n");
   const auto code = [&](const std::string& arguments) {
-    return WEXITSTATUS(std::system(
-        ("cd '" + folder.string() + "'; '" LIECHECK_PROGRAM "' " + arguments + " >out 2>err").c_str()));
+    return shell("cd '" + folder.string() + "'; '" LIECHECK_PROGRAM "' " + arguments + " >out 2>err").code;
   };
   const std::string flag = " --limits \"it's own.limits\"";
   const std::string campaign =

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <fstream>
 #include <operations/operations.hpp>
 #include <set>
-#include <sstream>
+
+#include "pages.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -69,10 +69,8 @@ TEST(Operations, LayoutsHaveTheSizesOfTheirTypes) {
 }
 
 TEST(Operations, DocumentationShowsTheSameList) {
-  std::ifstream file(std::string(LIECHECK_FIXTURES) + "/../docs/operations.md");
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_EQ(text.str(), operations_table()) << "regenerate: liecheck list --operations > docs/operations.md";
+  EXPECT_EQ(read("docs/operations.md"), operations_table())
+      << "regenerate: liecheck list --operations > docs/operations.md";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "../scratch.hpp"
+#include "../shell.hpp"
 #include "pages.hpp"
 
 namespace liecheck::properties {
@@ -13,14 +14,8 @@ namespace {
 
 /// What the program prints on its standard output. `arguments` are the rest of a line of a shell in the clone.
 std::string output_of(const std::string& arguments) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
-      popen(("cd '" + root + "'; PATH=/usr/bin:$PATH; '" LIECHECK_PROGRAM "' " + arguments + " 2>/dev/null")
-                .c_str(),
-            "r"),
-      pclose);
-  std::string text;
-  for (int c = std::fgetc(pipe.get()); c != EOF; c = std::fgetc(pipe.get())) text += static_cast<char>(c);
-  return text;
+  return shell("cd '" + root + "'; PATH=/usr/bin:$PATH; '" LIECHECK_PROGRAM "' " + arguments + " 2>/dev/null")
+      .text;
 }
 
 const std::string& help_of(const std::string& command) {

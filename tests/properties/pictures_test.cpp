@@ -2,21 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <campaign/robots.hpp>
 #include <record/badge.hpp>
 #include <regex>
 #include <store/merge.hpp>
 #include <store/picture.hpp>
 #include <support/svg.hpp>
 
+#include "../campaigns.hpp"
+
 namespace liecheck::properties {
 namespace {
 
 CampaignResult campaign_of(const std::vector<std::string>& subjects) {
-  CampaignOptions o;
-  o.selection = {subjects, {"exp_oracle"}, {"double"}};
-  o.cases = 300, o.quiet = true;
-  return run_campaign(o, built_in_robot());
+  return run_quietly({subjects, {"exp_oracle"}, {"double"}}, 300);
 }
 
 StoredCampaign stored() {

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
-#include <campaign/campaign.hpp>
 #include <campaign/cliffs.hpp>
 #include <campaign/expected.hpp>
 #include <cmath>
@@ -14,10 +12,13 @@
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
-#include <subjects/typed.hpp>
 #include <support/files.hpp>
 
+#include "../campaigns.hpp"
+#include "../own_subject.hpp"
+#include "../refusal.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -30,13 +31,9 @@ TypedSubject<double> longer(const std::string& name) {
   TypedSubject<double> s;
   s.name = name;
   s.operations[op::exp6] = [](const V6& xi) {
-    for (const auto* subject : typed_subjects<double>())
-      if (subject->name == "liecheck") {
-        Pose<double> T = subject->operations[op::exp6](xi);
-        T.p *= 1 + eps * 0x1p-52;
-        return T;
-      }
-    throw std::logic_error("liecheck is not registered");
+    Pose<double> T = own_subject().operations[op::exp6](xi);
+    T.p *= 1 + eps * 0x1p-52;
+    return T;
   };
   return s;
 }
@@ -56,11 +53,9 @@ std::shared_ptr<const SubjectLimits> limits(const std::string& subject, const st
 
 CampaignOptions options(const std::string& subject, std::optional<Profile> profile,
                         std::shared_ptr<const SubjectLimits> own = nullptr, std::uint64_t cases = 300) {
-  CampaignOptions o;
-  o.selection = {{subject}, {"exp_oracle"}, {"double"}};
+  CampaignOptions o = quiet({{subject}, {"exp_oracle"}, {"double"}}, cases, 2);
   if (own) o.selection.limits = {std::move(own)};
   if (profile) o.selection.profiles[""] = *profile;
-  o.cases = cases, o.jobs = 2, o.quiet = true;
   return o;
 }
 CampaignResult run(const std::string& subject, std::optional<Profile> profile,
@@ -69,14 +64,8 @@ CampaignResult run(const std::string& subject, std::optional<Profile> profile,
 }
 
 /// The message of the exception that f throws, or "".
-template <class F>
-std::string error(F f) {
-  try {
-    f();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "";
+std::string error(const auto& f) {
+  return test::refusal<std::exception>(f);
 }
 
 TEST(Profiles, KeepTheRuleOfEachLineAndNoLimitOfItsOwn) {
@@ -139,10 +128,7 @@ TEST(Profiles, AreInTheFlagsOfAReplayUnlessTheyAreUsual) {
 
 class Promises : public testing::Test {
  protected:
-  std::filesystem::path folder =
-      std::filesystem::path(liecheck::scratch()) / fmt::format("liecheck_promises_{}", ::getpid());
-  void SetUp() override { std::filesystem::create_directories(folder); }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  const std::filesystem::path folder = own_folder();
 
   std::string store(const std::string& name, std::optional<Profile> profile, unsigned shard = 1,
                     bool resume = false) const {
@@ -160,8 +146,7 @@ class Promises : public testing::Test {
   }
   /// Runs the program in the folder and returns its exit code.
   int code(const std::string& arguments) const {
-    return WEXITSTATUS(std::system(
-        ("cd '" + folder.string() + "'; '" LIECHECK_PROGRAM "' " + arguments + " >out 2>err").c_str()));
+    return shell("cd '" + folder.string() + "'; '" LIECHECK_PROGRAM "' " + arguments + " >out 2>err").code;
   }
   std::string out() const { return read_whole(folder / "out"); }
 };
@@ -209,11 +194,7 @@ const char* const translation_expected =
     "[expected]\nexp6, translation, any = too long, by thirty eps, https://issues/1\n";
 
 TEST(Profiles, FindNoCliffInASubjectThatIsInaccurateEverywhere) {
-  CampaignOptions o;
-  o.selection = {{"promises:million"}, {"exp_oracle"}, {"double"}};
-  o.selection.profiles[""] = Profile::half;
-  o.cases = 8000, o.jobs = 2, o.quiet = true;
-  for (const auto& [series, tally] : run_campaign(o, built_in_robot()).series)
+  for (const auto& [series, tally] : run("promises:million", Profile::half, nullptr, 8000).series)
     EXPECT_EQ(cliffs_of(*series, tally).size(), 0u) << series->subject;
 }
 

@@ -2,7 +2,6 @@
 // define every operation and block that they measure.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "../reports/documented_fields.hpp"
 #include "../reports/sample_record.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace {
 
@@ -22,16 +22,11 @@ using namespace liecheck::reports;
 
 /// The record that a command writes with --json. Its verdict, exit code 0, 1 or 3, is ignored.
 Json written(const std::string& arguments) {
-  const auto file = std::filesystem::path(liecheck::scratch()) /
-                    ("liecheck_record_" + std::to_string(::getpid()) + ".json");
-  const std::string line =
-      LIECHECK_PROGRAM " " + arguments + " --json '" + file.string() + "' >/dev/null 2>&1";
-  const int status = std::system(line.c_str());
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != 2) << arguments;
+  const std::string file = liecheck::own_folder() + "record.json";
+  const auto [code, text] = liecheck::shell(LIECHECK_PROGRAM " " + arguments + " --json '" + file + "'");
+  EXPECT_TRUE(code != -1 && code != 2) << arguments << text;
   std::ifstream in(file);
-  const Json record = Json::parse(in);
-  std::filesystem::remove(file);
-  return record;
+  return Json::parse(in);
 }
 
 const Json& campaign() {
@@ -63,15 +58,13 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
 }
 
 TEST(Record, OfCliffsAndExpectedFailuresHasEveryDocumentedFieldAndNoOther) {
-  const auto limits = std::filesystem::path(liecheck::scratch()) /
-                      ("liecheck_record_" + std::to_string(::getpid()) + ".limits");
+  const std::string limits = liecheck::scratch() + "record.limits";
   std::ofstream(limits)
       << "version = 2\nsubject = textbook\n[expected]\nexp6, translation, any = why, link\n";
   const Json record = written(
       "campaign --subject textbook --property exp_oracle --scalar double --cases 8000 "
       "--no-hard-cases --limits '" +
-      limits.string() + "'");
-  std::filesystem::remove(limits);
+      limits + "'");
   EXPECT_NO_THROW(check_record("campaign.json", record));
   for (const char* section : {"cliffs", "expected"})
     expect_agreement(schema()["properties"][section], record[section]);

@@ -3,20 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <campaign/campaign.hpp>
 #include <stdexcept>
-#include <subjects/typed.hpp>
+
+#include "../campaigns.hpp"
+#include "../own_subject.hpp"
 
 namespace liecheck::properties {
 namespace {
 
 std::atomic<int> reads{0}, refusals{0};
-
-const TypedSubject<double>& own() {
-  for (const TypedSubject<double>* s : typed_subjects<double>())
-    if (s->name == "liecheck") return *s;
-  throw std::logic_error("no subject liecheck");
-}
 
 TypedSubject<double> reader(const std::string& name, decltype(TypedOperations<double>::robot) robot) {
   TypedSubject<double> s{name, "counts", {}};
@@ -26,7 +21,7 @@ TypedSubject<double> reader(const std::string& name, decltype(TypedOperations<do
 
 const Registered<double> counting(reader("reads:counted", [](const std::string& urdf, bool fixed) {
   ++reads;
-  return own().operations.robot(urdf, fixed);
+  return own_subject().operations.robot(urdf, fixed);
 }));
 const Registered<double> refusing(reader("reads:refused",
                                          [](const std::string&, bool) -> RobotOperations<double> {
@@ -35,10 +30,7 @@ const Registered<double> refusing(reader("reads:refused",
                                          }));
 
 CampaignResult run(std::vector<std::string> subjects, unsigned jobs = 1) {
-  CampaignOptions options;
-  options.selection = {std::move(subjects), {"robot_configuration"}, {}};
-  options.cases = 70, options.jobs = jobs, options.quiet = true;
-  return run_campaign(options, built_in_robot());
+  return run_quietly({std::move(subjects), {"robot_configuration"}, {}}, 70, jobs);
 }
 
 TEST(UrdfReaders, RunOnlyIfTheirSubjectIsSelected) {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <rules/rules.hpp>
-#include <stdexcept>
+
+#include "../refusal.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -15,12 +16,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return all;
 }
 std::string error_of(const Rules& rules, const Rules& program) {
-  try {
-    check_runs(rules, program);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
+  return test::refusal([&] { check_runs(rules, program); });
 }
 
 TEST(Rules, OfThisProgramAreTheNewestVersion) {

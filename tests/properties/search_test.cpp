@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +14,7 @@
 #include <search/shrink.hpp>
 #include <set>
 
+#include "../campaigns.hpp"
 #include "../scratch.hpp"
 
 namespace liecheck::properties {
@@ -128,13 +128,8 @@ TEST(CoverageReport, NamesTheClassesThatANarrowGeneratorNeverReaches) {
 }
 
 TEST(CoverageReport, PassesForAFewCasesAndForTheWholeGenerator) {
-  CampaignOptions options;
-  options.selection = {{"liecheck"}, {"exp_oracle"}, {"double"}};
-  options.quiet = true;
-  options.cases = 20;
-  EXPECT_TRUE(run_campaign(options, built_in_robot()).measured);
-  options.cases = 3000;
-  const CampaignResult r = run_campaign(options, built_in_robot());
+  EXPECT_TRUE(run_quietly({{"liecheck"}, {"exp_oracle"}, {"double"}}, 20).measured);
+  const CampaignResult r = run_quietly({{"liecheck"}, {"exp_oracle"}, {"double"}}, 3000);
   EXPECT_TRUE(r.measured);
   const auto all = coverage_of(*r.series[0].series, r.series[0].tally);
   EXPECT_GT(std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.required; }), 15);

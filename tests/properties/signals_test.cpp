@@ -33,6 +33,7 @@
 #include <thread>
 
 #include "../sample.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -139,16 +140,11 @@ class Process {
 
 class StoppedProgram : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "liecheck_signals_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   int run(const std::string& arguments) const {
     Process p(folder_, arguments);
     return p.ends_within(300) ? p.code() : -1;
   }
-  fs::path folder_;
+  const fs::path folder_ = own_folder();
 };
 
 constexpr const char* few_cases =

@@ -14,9 +14,11 @@
 #include <store/merge.hpp>
 #include <store/store.hpp>
 #include <store/store_path.hpp>
+#include <support/files.hpp>
 #include <thread>
 
 #include "../sample.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -29,15 +31,7 @@ class TwoPrograms : public testing::Test {
     int code;
     std::string err;
   };
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "liecheck_race_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string read(const std::string& name) const {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string read(const std::string& name) const { return read_whole(folder_ / name); }
   void shell(const std::string& line) const {
     std::system(fmt::format("cd '{}'; L='{}'; {}", folder_.string(), LIECHECK_PROGRAM, line).c_str());
   }
@@ -53,7 +47,7 @@ class TwoPrograms : public testing::Test {
 
   static constexpr const char* campaign =
       "campaign --no-hard-cases --subject liecheck --property exp_oracle --scalar double -j 1 ";
-  fs::path folder_;
+  const fs::path folder_ = own_folder();
 };
 
 /// Expects exit code 2 and an error of one line that names the store and contains one of `words`.

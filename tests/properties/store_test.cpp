@@ -16,7 +16,10 @@
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
+#include <support/files.hpp>
 #include <thread>
+
+#include "../refusal.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -56,25 +59,14 @@ class Stores : public testing::Test {
   static std::string text(const std::string& name) { return export_text(load_campaign(name)); }
 
   /// The message of the exception that f throws, or "".
-  template <class F>
-  static std::string error(F f) {
-    try {
-      f();
-    } catch (const std::exception& e) {
-      return e.what();
-    }
-    return "";
-  }
+  static std::string error(const auto& f) { return test::refusal<std::exception>(f); }
   /// The program's exit code; its standard error goes to `file("stderr")`.
   int program(const std::string& arguments) const {
     const int code = std::system(
         ("'" LIECHECK_PROGRAM "' " + arguments + " >" + file("stdout") + " 2>" + file("stderr")).c_str());
     return WIFEXITED(code) ? WEXITSTATUS(code) : -1;
   }
-  std::string written(const std::string& name) const {
-    std::ifstream f(file(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(f), {}};
-  }
+  std::string written(const std::string& name) const { return read_whole(file(name)); }
 
   /// The seed of all random choices: the damaged bytes, the times of kills, the orders of merged files.
   static unsigned seed() {

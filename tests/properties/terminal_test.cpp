@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace {
 
@@ -22,10 +23,8 @@ using liecheck::properties::absent_subjects;
 
 /// Runs a shell line in which $L is the program. Returns its exit code and what it printed, also on standard error.
 std::pair<int, std::string> shell(const std::string& line) {
-  FILE* const out = popen(("export L=" LIECHECK_PROGRAM "; { " + line + "; } 2>&1 </dev/null").c_str(), "r");
-  std::string text;
-  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-  return {WEXITSTATUS(pclose(out)), text};
+  const auto [code, text] = liecheck::shell("export L=" LIECHECK_PROGRAM "; { " + line + "; } </dev/null");
+  return {code, text};
 }
 std::pair<int, std::string> run(const std::string& arguments) {
   return shell("$L " + arguments);

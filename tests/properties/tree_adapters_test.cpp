@@ -2,20 +2,20 @@
 // becomes of bad answers.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
+#include <fmt/format.h>
 #include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
 #include <adapters/trees.hpp>
-#include <campaign/campaign.hpp>
-#include <campaign/robots.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <subjects/typed.hpp>
+#include <support/files.hpp>
 
+#include "../campaigns.hpp"
+#include "../refusal.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 #include "asked.hpp"
 
 namespace liecheck::properties::adapters {
@@ -23,12 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 const fs::path example = LIECHECK_FIXTURES "/adapters/trees";
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// The command of a copy of the example named `name`, in whose `file` the text `from` is `to`.
 std::string altered(const std::string& name, const std::string& file, const std::string& from,
@@ -38,7 +32,7 @@ std::string altered(const std::string& name, const std::string& file, const std:
   fs::create_directories(folder);
   for (const auto& each : fs::directory_iterator(example)) {
     if (each.path().extension() != ".py") continue;
-    std::string text = text_of(each.path());
+    std::string text = read_whole(each.path().string());
     const auto replace = [&](const std::string& old, const std::string& now) {
       const std::size_t at = text.find(old);
       EXPECT_NE(at, std::string::npos) << file << " has no " << old;
@@ -53,10 +47,7 @@ std::string altered(const std::string& name, const std::string& file, const std:
 
 CampaignResult campaign(const std::string& subject, const std::vector<std::string>& laws, std::uint64_t cases,
                         const Robot& robot = built_in_robot()) {
-  CampaignOptions options;
-  options.selection = {{subject}, laws, {}};
-  options.cases = cases, options.jobs = 2, options.quiet = true;
-  return run_campaign(options, robot);
+  return run_quietly({{subject}, laws, {}}, cases, 2, robot);
 }
 
 /// The rows of one law on an adapter that is not registered, by operation and block.
@@ -99,9 +90,8 @@ TEST(TreeAdapters, TheExampleObeysEveryLawByJointsAndByItsUrdfReader) {
 }
 
 struct Fault {
-  const char *name, *file, *from, *to, *law;
-  std::set<std::string> found;  ///< the outputs that fail
-  std::string robot = {};       ///< a URDF, or "" for random trees
+  const char *name, *file, *from, *to, *law, *found;  ///< `found`: the outputs that fail
+  std::string robot = {};                             ///< a URDF, or "" for random trees
 };
 
 /// Two joints on one link, one of them rotated about all axes, with a link fixed to its body.
@@ -122,69 +112,25 @@ const std::string two_joints = R"(<robot name="two">
 </robot>)";
 
 const Fault faults[] = {
-    {"coriolis_sign",
-     "tree.py",
-     "I @ A[i] - ad(V[i]).T @ I",
-     "I @ A[i] + ad(V[i]).T @ I",
-     "lagrange",
-     {"tree_nonlinear_effects torque", "tree_rnea torque"}},
-    {"body_forgotten",
-     "tree.py",
-     "for b in bodies:",
-     "for b in bodies[1:]:",
-     "power_balance",
-     {"tree_power power"}},
-    {"jacobian_in_local",
-     "tree.py",
-     "self.seen(q, frame, reference) @ J",
-     "self.seen(q, frame, 1) @ J",
-     "frame_jacobian",
-     {"frame_jacobian angular", "frame_jacobian linear"}},
-    {"nan_at_zero",
-     "tree.py",
-     "np.sin(q[0]))",
-     "np.sin(q[0]) * q[0] / q[0])",
-     "power_balance",
-     {"tree_power power"}},
-    {"gravity_twice",
-     "tree.py",
-     "-self.gravity)",
-     "-2 * self.gravity)",
-     "power_balance",
-     {"tree_power power"}},
-    {"wrench_sign",
-     "tree.py",
-     "F[joint] - wrench",
-     "F[joint] + wrench",
-     "forward_dynamics",
-     {"tree_aba acceleration"}},
-    {"no_armature",
-     "tree.py",
-     "np.diag(self.armature)",
-     "np.zeros((self.nv, self.nv))",
-     "mass_matrix",
-     {"crba_columns matrix", "crba_positive matrix"}},
-    {"rpy_reversed",
-     "urdf.py",
-     "R = turn @ R",
-     "R = R @ turn",
-     "frame_jacobian",
-     {"frame_jacobian angular", "frame_jacobian linear"},
-     two_joints},
-    {"fixed_link_lost",
-     "urdf.py",
-     "if joint < 0 or",
-     "if joint < 0 or p.any() or",
-     "power_balance",
-     {"tree_power power"},
-     two_joints},
-    {"other_order",
-     "urdf.py",
-     "model[\"order\"]",
-     "model[\"order\"][::-1]",
-     "power_balance",
-     {"tree_power power"},
-     two_joints},
+    {"coriolis_sign", "tree.py", "I @ A[i] - ad(V[i]).T @ I", "I @ A[i] + ad(V[i]).T @ I", "lagrange",
+     "tree_nonlinear_effects torque, tree_rnea torque"},
+    {"body_forgotten", "tree.py", "for b in bodies:", "for b in bodies[1:]:", "power_balance",
+     "tree_power power"},
+    {"jacobian_in_local", "tree.py", "self.seen(q, frame, reference) @ J", "self.seen(q, frame, 1) @ J",
+     "frame_jacobian", "frame_jacobian angular, frame_jacobian linear"},
+    {"nan_at_zero", "tree.py", "np.sin(q[0]))", "np.sin(q[0]) * q[0] / q[0])", "power_balance",
+     "tree_power power"},
+    {"gravity_twice", "tree.py", "-self.gravity)", "-2 * self.gravity)", "power_balance", "tree_power power"},
+    {"wrench_sign", "tree.py", "F[joint] - wrench", "F[joint] + wrench", "forward_dynamics",
+     "tree_aba acceleration"},
+    {"no_armature", "tree.py", "np.diag(self.armature)", "np.zeros((self.nv, self.nv))", "mass_matrix",
+     "crba_columns matrix, crba_positive matrix"},
+    {"rpy_reversed", "urdf.py", "R = turn @ R", "R = R @ turn", "frame_jacobian",
+     "frame_jacobian angular, frame_jacobian linear", two_joints},
+    {"fixed_link_lost", "urdf.py", "if joint < 0 or", "if joint < 0 or p.any() or", "power_balance",
+     "tree_power power", two_joints},
+    {"other_order", "urdf.py", "model[\"order\"]", "model[\"order\"][::-1]", "power_balance",
+     "tree_power power", two_joints},
 };
 
 TEST(TreeAdapters, TheLawsFindEachPlantedFault) {
@@ -196,7 +142,7 @@ TEST(TreeAdapters, TheLawsFindEachPlantedFault) {
       EXPECT_TRUE(f.name != std::string("nan_at_zero") || row.not_finite == row.failed);
       EXPECT_EQ(row.refused + row.crashed, 0u) << f.name << output;
     }
-    EXPECT_EQ(found, f.found) << f.name;
+    EXPECT_EQ(fmt::format("{}", fmt::join(found, ", ")), f.found) << f.name;
   }
 }
 
@@ -204,11 +150,9 @@ TEST(TreeAdapters, AFailureIsPrintedWithWhatTheAdapterReturned) {
   const Fault& f = faults[0];
   const std::string command = "timeout -s KILL 60 " LIECHECK_PROGRAM
                               " campaign --no-hard-cases --cases 3 -j 1 --property lagrange --adapter '" +
-                              altered(f.name, f.file, f.from, f.to) + "' 2>&1";
-  FILE* const out = popen(command.c_str(), "r");
-  std::string text;
-  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
-  EXPECT_EQ(WEXITSTATUS(pclose(out)), 1) << text;
+                              altered(f.name, f.file, f.from, f.to) + "'";
+  const auto [code, text] = shell(command);
+  EXPECT_EQ(code, 1) << text;
   for (const char* part : {"\n  result    tau of tree_nonlinear_effects\n",
                            "\n  replay    liecheck replay raw", "\nverdict fail"})
     EXPECT_NE(text.find(part), text.npos) << part << text;
@@ -339,13 +283,9 @@ TEST(TreeAdapters, ACheckSaysWhichNumberIsWrong) {
 }
 
 TEST(TreeAdapters, ADescriptionThatIsWrongIsRefusedInWords) {
-  const auto refusal = [](const std::string& trees) -> std::string {
-    try {
-      start(altered("described", "adapter.py", R"({"models": ["joints", "urdf"]})", trees));
-    } catch (const AdapterFailed& e) {
-      return e.what();
-    }
-    return "";
+  const auto refusal = [](const std::string& trees) {
+    return test::refusal<AdapterFailed>(
+        [&] { start(altered("described", "adapter.py", R"({"models": ["joints", "urdf"]})", trees)); });
   };
   EXPECT_NE(refusal("3").find("has no object 'trees'"), std::string::npos);
   EXPECT_NE(refusal(R"({"models": "urdf"})").find("has no list 'models' in 'trees'"), std::string::npos);

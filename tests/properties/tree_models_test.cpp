@@ -5,11 +5,11 @@
 #include <adapters/trees.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <operations/numbers.hpp>
-#include <sstream>
-#include <subjects/typed.hpp>
+
+#include "../own_subject.hpp"
+#include "pages.hpp"
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -33,12 +33,10 @@ Adapter& nobody() {
 }
 
 TEST(TreeModels, AreSentAsTheDocumentationSays) {
-  std::ostringstream page;
-  page << std::ifstream(LIECHECK_FIXTURES "/../docs/adapters.md").rdbuf();
+  const std::string page = read("docs/adapters.md");
   const adapters::Model model(pendulum(), {}, in_double, nobody);
-  EXPECT_NE(page.str().find("\n    model " + model.text() + "\n"), std::string::npos) << model.text();
-  for (const std::string& name : joint_names())
-    EXPECT_NE(page.str().find('`' + name + '`'), std::string::npos) << name;
+  EXPECT_NE(page.find("\n    model " + model.text() + "\n"), page.npos) << model.text();
+  for (const std::string& name : joint_names()) EXPECT_NE(page.find('`' + name + '`'), page.npos) << name;
 }
 
 TEST(TreeModels, OfAUrdfAreItsTextIfTheAdapterTakesIt) {
@@ -95,8 +93,6 @@ TEST(TreeModels, DetermineTheNumbersOfACall) {
 class OwnRobots final : public Adapter {
  public:
   OwnRobots() {
-    for (const TypedSubject<double>* s : typed_subjects<double>())
-      if (s->name == "liecheck") own_ = s;
     RobotOperations<double>::for_each(
         [&](const Operation& o) { description_.offered.emplace(std::string(o.name), "double"); });
   }
@@ -107,7 +103,7 @@ class OwnRobots final : public Adapter {
     const std::string urdf = model["urdf"];
     const auto order = urdf_model(urdf, model["root"] == "fixed");
     EXPECT_EQ(model["order"], nlohmann::json(order->joints));
-    const auto o = own_->operations.robot(urdf, order->fixed);
+    const auto o = own_subject().operations.robot(urdf, order->fixed);
     const auto give = [&](const auto& slot, const auto& operation) {
       if (b.operation.operation != operation.name) return;
       const auto numbers =
@@ -125,7 +121,6 @@ class OwnRobots final : public Adapter {
   }
 
  private:
-  const TypedSubject<double>* own_ = nullptr;
   Description description_{"own_robots", "1", {}, {}, {}, {"urdf"}, {}};
 };
 OwnRobots& own_robots() {

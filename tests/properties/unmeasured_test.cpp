@@ -4,15 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
 #include <campaign/series.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <invariants/common.hpp>
 #include <nlohmann/json.hpp>
@@ -23,30 +19,25 @@
 #include <store/stored_run.hpp>
 #include <subjects/tree.hpp>
 
+#include "../campaigns.hpp"
+#include "../own_subject.hpp"
+#include "../refusal.hpp"
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties {
 namespace {
 
-const TypedSubject<double>& own() {
-  for (const auto* s : typed_subjects<double>())
-    if (s->name == "liecheck") return *s;
-  throw std::logic_error("liecheck is not registered");
-}
-
 // A subject whose forward dynamics returns 1e30.
-const Registered<double> huge_acceleration([] {
-  TypedSubject<double> s;
-  s.name = "unmeasured_huge_aba";
-  s.operations.tree = [](const Tree<double>& tree) {
-    auto o = own().operations.tree(tree);
-    o[op::tree_aba] = [](const auto&, const VecX<double>& v, const auto&, int, const auto&) -> VecX<double> {
-      return VecX<double>::Constant(v.size(), 1e30);
-    };
-    return o;
-  };
-  return s;
-}());
+const Registered<double> huge_acceleration =
+    registered("unmeasured_huge_aba", [](TypedOperations<double>& operations) {
+      operations.tree = [](const Tree<double>& tree) {
+        auto o = own_subject().operations.tree(tree);
+        o[op::tree_aba] = [](const auto&, const VecX<double>& v, const auto&, int,
+                             const auto&) -> VecX<double> { return VecX<double>::Constant(v.size(), 1e30); };
+        return o;
+      };
+    });
 
 /// A chain of links, all with a mass and an inertia except the last.
 std::string chain_with_a_massless_end(int links) {
@@ -69,10 +60,7 @@ std::string chain_with_a_massless_end(int links) {
 
 CampaignResult run(const std::string& subject, const std::string& law, const Robot& robot,
                    std::uint64_t cases = 60) {
-  CampaignOptions options;
-  options.selection = {{subject}, {law}, {"double"}};
-  options.cases = cases, options.quiet = true;
-  return run_campaign(options, robot);
+  return run_quietly({{subject}, {law}, {"double"}}, cases, 1, robot);
 }
 
 std::string verdict(const CampaignResult& r) {
@@ -157,11 +145,11 @@ class ReturnsEarly final : public Property {
 };
 
 CampaignResult run_early(double limit, bool says_unresolved = false) {
-  static const Subject own_subject = erased(own());
+  static const Subject own = erased(own_subject());
   CampaignResult r;
   r.options.cases = 200;
-  r.series.push_back({std::make_unique<Series>(std::make_unique<ReturnsEarly>(limit, says_unresolved),
-                                               own_subject, built_in_robot()),
+  r.series.push_back({std::make_unique<Series>(std::make_unique<ReturnsEarly>(limit, says_unresolved), own,
+                                               built_in_robot()),
                       {}});
   auto& [series, tally] = r.series[0];
   for (std::uint64_t i = 0; i < r.options.cases; ++i) series->run(42, i, tally);
@@ -280,23 +268,18 @@ TEST(AStore, WithoutAVerdictIsNeitherMergedNorComparedAsComplete) {
 }
 
 TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
-  namespace fs = std::filesystem;
-  const fs::path folder =
-      fs::path(liecheck::scratch()) / ("liecheck_unmeasured_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  const std::string robot = (folder / "chain.urdf").string(), out = (folder / "out").string();
+  const std::string folder = own_folder(), robot = folder + "chain.urdf", store = folder + "store";
   std::ofstream(robot) << chain_with_a_massless_end(3);
+  Answer answer;
   const auto exit_of = [&](const std::string& arguments) {
-    return WEXITSTATUS(std::system((LIECHECK_PROGRAM " " + arguments + " >" + out + " 2>&1").c_str()));
+    answer = shell(LIECHECK_PROGRAM " " + arguments);
+    return answer.code;
   };
-  const auto said = [&](const std::string& words) {
-    std::ifstream in(out);
-    return std::string(std::istreambuf_iterator<char>(in), {}).find(words) != std::string::npos;
-  };
+  const auto said = [&](const std::string& words) { return test::has(answer.text, words); };
   const std::string of_robot = " --robot " + robot + " --root fixed";
   EXPECT_EQ(
       exit_of("campaign --no-hard-cases --property forward_dynamics --scalar double --cases 20 --store " +
-              (folder / "store").string() + of_robot),
+              store + of_robot),
       3);
   EXPECT_TRUE(said("NOT MEASURED  forward_dynamics of liecheck in double"));
   EXPECT_TRUE(said("tree_aba, acceleration: measured in 0 of 20 cases"));
@@ -307,11 +290,9 @@ TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
   EXPECT_EQ(exit_of("hunt --subject liecheck --op tree_aba --property forward_dynamics --evaluations 20" +
                     of_robot),
             3);
-  const std::string store = (folder / "store").string();
   EXPECT_EQ(exit_of("compare " + store + " " + store), 3);
   EXPECT_EQ(exit_of("merge " + store + "2 " + store), 3);
   EXPECT_TRUE(said("nothing was measured"));
-  fs::remove_all(folder);
 }
 
 /// The campaign without the cases of the first class of its second field.
@@ -323,15 +304,12 @@ StoredCampaign without_a_class(StoredCampaign c) {
 }
 
 TEST(TheProgram, Returns3IfTheMergedShardsNeverReachedAClass) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::path(liecheck::scratch()) / ("liecheck_class_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  const auto file = [&](const std::string& name) { return (folder / name).string(); };
+  const std::string folder = own_folder();
   for (unsigned shard : {1u, 2u}) {
-    CampaignOptions options;
-    options.selection = {{"liecheck"}, {"exp_oracle"}, {"double"}};
-    options.cases = 4000, options.shard = shard, options.shards = 2, options.quiet = true;
-    const std::string all = file("all" + std::to_string(shard)), some = file("some" + std::to_string(shard));
+    CampaignOptions options = quiet({{"liecheck"}, {"exp_oracle"}, {"double"}}, 4000);
+    options.shard = shard, options.shards = 2;
+    const std::string all = folder + "all" + std::to_string(shard),
+                      some = folder + "some" + std::to_string(shard);
     {
       Store store(all, Store::Open::create);
       run_stored(options, built_in_robot(), store, false);
@@ -339,15 +317,13 @@ TEST(TheProgram, Returns3IfTheMergedShardsNeverReachedAClass) {
     Store(some, Store::Open::create).write(without_a_class(load_campaign(all)), false, {});
   }
   const auto merged = [&](const std::string& parts) {
-    const std::string files = file("of_" + parts) + " " + file(parts + "1") + " " + file(parts + "2");
-    return WEXITSTATUS(std::system((LIECHECK_PROGRAM " merge " + files + " >" + file("out")).c_str()));
+    return shell("cd '" + folder + "'; '" LIECHECK_PROGRAM "' merge of_" + parts + " " + parts + "1 " +
+                 parts + "2");
   };
-  EXPECT_EQ(merged("all"), 0);
-  EXPECT_EQ(merged("some"), 3);
-  std::ifstream in(file("out"));
-  const std::string said(std::istreambuf_iterator<char>(in), {});
-  EXPECT_NE(said.find("incomplete: exp_oracle of liecheck in double: phi: "), said.npos) << said;
-  fs::remove_all(folder);
+  EXPECT_EQ(merged("all").code, 0);
+  const Answer some = merged("some");
+  EXPECT_EQ(some.code, 3);
+  EXPECT_TRUE(test::has(some.text, "incomplete: exp_oracle of liecheck in double: phi: "));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../refusal.hpp"
 #include "../scratch.hpp"
 #include "sample_record.hpp"
 
@@ -21,15 +22,7 @@ using namespace liecheck::reports;
 
 class Report : public testing::Test {
  protected:
-  fs::path dir =
-      fs::path(liecheck::scratch()) /
-      ("liecheck_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-
-  void SetUp() override {
-    fs::remove_all(dir);
-    fs::create_directories(dir);
-  }
-  void TearDown() override { fs::remove_all(dir); }
+  const fs::path dir = liecheck::own_folder();
 
   fs::path store(const std::string& name, const std::string& text) const {
     std::ofstream(dir / name, std::ios::binary) << text;
@@ -42,17 +35,12 @@ class Report : public testing::Test {
   /// The error line for a record with this text. It must name the file, and no output may be written.
   std::string refusal(const std::string& text) const {
     const fs::path file = store("record.json", text);
-    try {
-      write_report({file}, dir / "out");
-    } catch (const std::runtime_error& error) {
-      const std::string line = error.what();
-      EXPECT_FALSE(has(line, "\n"));
-      EXPECT_TRUE(has(line, file.string()));
-      EXPECT_FALSE(fs::exists(dir / "out"));
-      return line;
-    }
-    ADD_FAILURE() << "not refused";
-    return "";
+    const std::string line =
+        liecheck::test::refusal<std::runtime_error>([&] { write_report({file}, dir / "out"); });
+    EXPECT_FALSE(has(line, "\n"));
+    EXPECT_TRUE(has(line, file.string()));
+    EXPECT_FALSE(fs::exists(dir / "out"));
+    return line;
   }
   std::string page_of(const Json& r) const { return read(report(r).html); }
   void expect_refused(const Json& r, const std::string& words) const {

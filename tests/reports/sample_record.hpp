@@ -1,12 +1,14 @@
 #pragma once
 // Small sample records: one with only the required fields, one with every section and every documented field.
 
-#include <gtest/gtest.h>
-
 #include <reports/record.hpp>
 #include <string>
 
+#include "../refusal.hpp"
+
 namespace liecheck::reports {
+
+using test::has;
 
 /// A row of results, judged by a budget of 4 eps.
 Json row(const std::string& subject, const std::string& band, double max_eps);
@@ -25,8 +27,6 @@ Json with(Json record, const std::string& pointer, const Json& value);
 Json without(Json record, const std::string& pointer);
 /// Why check_record refuses a record, or check_schema a measurement of another kind; "" if it does not.
 std::string refusal_of(const Json& record, const std::string& kind = "record");
-/// Whether the text contains the part. A failure shows both.
-testing::AssertionResult has(const std::string& text, const std::string& part);
 
 // Sections of a record, and rows of them.
 Json swept();

@@ -9,8 +9,9 @@ struct Recorded {
   scene::Scene scene;
   scene::Run run;
 
+  explicit Recorded(const scene::Scene& s) : scene(s), run(scene::run(scene)) {}
   explicit Recorded(const std::string& text)
-      : scene(loadSceneText(text, "s.yaml", LIECHECK_FIXTURES "/scenes")), run(scene::run(scene)) {}
+      : Recorded(loadSceneText(text, "s.yaml", LIECHECK_FIXTURES "/scenes")) {}
 
   std::vector<double> operator[](const std::string& name) const {
     std::vector<double> all;

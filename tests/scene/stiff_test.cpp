@@ -99,8 +99,6 @@ TEST(Radau5, TakesStepsFarAboveTheFastestMode) {
   EXPECT_NEAR(run.rows[run.rows.size() - run.columns.size() + 3], x, 1e-6);
 }
 
-/// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.76 mm. It changes its sign within 1 um/s, so that steps of
-/// 1 ms only swing about the rest, and an explicit method would need steps of 10 ns.
 /// Newton's method may keep a Jacobian during a run, but not beyond it.
 TEST_P(EachImplicitMethod, GivesTheSameBitsAfterAnotherRun) {
   const scene::Scene s =
@@ -120,6 +118,8 @@ TEST_P(EachImplicitMethod, GivesTheSameBitsAfterAnotherRun) {
   EXPECT_EQ(last(*other, 1), last(*method, 1));
 }
 
+/// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.76 mm. It changes its sign within 1 um/s, so that steps of
+/// 1 ms only swing about the rest, and an explicit method would need steps of 10 ns.
 TEST(Estimate, AdvisesAnLStableMethodWhereForcesAreStiff) {
   const std::string text =
       "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joint_velocities: "

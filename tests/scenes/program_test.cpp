@@ -2,25 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../shell.hpp"
+
 namespace {
 
-struct Ran {
-  int code;
-  std::string text;
-};
-Ran run(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(LIECHECK_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
-  std::string text;
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
-  const int status = ::pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+liecheck::Answer run(const std::string& arguments) {
+  return liecheck::shell(LIECHECK_PROGRAM " " + arguments);
 }
 
 TEST(SceneSweepProgram, RefusesBadArgumentsWithOneLine) {
@@ -31,7 +23,7 @@ TEST(SceneSweepProgram, RefusesBadArgumentsWithOneLine) {
         {"scene sweep --steps -4", "--steps"},
         {"scene sweep no_such_scene.yaml", "no_such_scene.yaml"},
         {"scene sweep --json /no/such/folder/x.json --no-times", "/no/such/folder"}}) {
-    const Ran r = run(arguments);
+    const auto r = run(arguments);
     EXPECT_EQ(r.code, 2) << arguments << "\n" << r.text;
     EXPECT_NE(r.text.find(says), std::string::npos) << r.text;
     EXPECT_EQ(std::count(r.text.begin(), r.text.end(), '\n'), 1) << r.text;
@@ -40,7 +32,7 @@ TEST(SceneSweepProgram, RefusesBadArgumentsWithOneLine) {
 
 TEST(SceneSweepProgram, SweepsASceneFileAndWritesItsRecord) {
   const auto path = std::filesystem::temp_directory_path() / "liecheck_scene_sweep_test.json";
-  const Ran r =
+  const auto r =
       run("scene sweep " LIECHECK_FIXTURES
           "/scenes/damped_spring.yaml --integrator rk2 --integrator rkmk4 --no-peers --for 1s --json " +
           path.string());

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <integrators/builtin.hpp>
 #include <integrators/make_runner.hpp>
-#include <scenes/benchmark.hpp>
 #include <integrators/spins.hpp>
 #include <integrators/sweep.hpp>
+#include <scenes/benchmark.hpp>
 #include <set>
 
 namespace {
@@ -138,26 +138,6 @@ TEST(Dzhanibekov, FlipsWhenTheClosedFormSaysUpToItsHorizon) {
     }
   }
   EXPECT_EQ(known, (std::set<double>{-2, -3, -4, -5, -6, -7, -8, -12}));
-}
-
-TEST(Peers, FollowTheExactMotionOfEveryScene) {
-  for (const Peer& peer : peers())
-    for (const char* name : {"thrown", "pendulum", "chain"}) {
-      const Benchmark b = builtin(name);
-      const auto truth = truth_of(b);
-      const auto methods = peer.methods(b);
-      ASSERT_FALSE(methods.empty()) << peer.name << " " << name;
-      for (const PeerMethod& m : methods) {
-        MotionError worst = MotionError::none();
-        const Effort effort = m.adaptive ? Effort{4, 1e-5} : Effort{m.order > 1 ? 1600 : peer.name == "ODE" ? 64000 : 8000, 0};
-        peer.make(b, m.name)->run(effort, 4, [&](double t, const Moment& x) {
-          worst.take_larger(motion_error(b.robot, x, truth->at(t)));
-        });
-        EXPECT_LT(worst.attitude, 0.05) << peer.name << " " << m.name << " on " << name;
-        EXPECT_FALSE(worst.linear_velocity > 0.1)
-            << peer.name << " " << m.name << " on " << name << ": " << worst.linear_velocity;
-      }
-    }
 }
 
 TEST(Peers, AreComparedWithOurFastestPointWhoseErrorIsNoLarger) {

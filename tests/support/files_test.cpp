@@ -6,14 +6,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <support/file_lock.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 
+#include "../refusal.hpp"
 #include "../scratch.hpp"
 
 namespace {
@@ -23,23 +22,10 @@ using namespace liecheck::properties;
 
 class Files : public testing::Test {
  protected:
-  fs::path dir = fs::path(liecheck::scratch()) / ("liecheck_files_" + std::to_string(::getpid()));
-  void SetUp() override { fs::create_directories(dir); }
-  void TearDown() override { fs::remove_all(dir); }
-  static std::string read(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  const fs::path dir = liecheck::own_folder();
+  static std::string read(const fs::path& file) { return read_whole(file); }
   long entries() const { return std::distance(fs::directory_iterator(dir), {}); }
-  template <class F>
-  static std::string refusal(F f) {
-    try {
-      f();
-    } catch (const std::runtime_error& e) {
-      return e.what();
-    }
-    return "nothing";
-  }
+  static std::string refusal(const auto& f) { return liecheck::test::refusal<std::runtime_error>(f); }
 };
 
 TEST_F(Files, AFileIsReplacedWholeAndKeepsItsMode) {
@@ -63,7 +49,7 @@ TEST_F(Files, SymbolicLinksAreFollowedAndNotReplaced) {
   EXPECT_TRUE(fs::is_symlink(dir / "a") && fs::is_symlink(dir / "b"));
   EXPECT_EQ(read(dir / "c"), "text");
   fs::create_symlink("loop", dir / "loop");
-  EXPECT_NE(refusal([&] { write_whole(dir / "loop", "x"); }), "nothing");
+  EXPECT_NE(refusal([&] { write_whole(dir / "loop", "x"); }), "");
 }
 
 TEST_F(Files, ADeviceOrPipeIsNeverReplaced) {
