@@ -131,7 +131,6 @@ Command horizons_command(CLI::App& lab) {
   a.seed(a->options.seed, "seed of the increments");
   a.text("--state", a->options.state, "FILE", "write where each path is, and go on from there");
   a.toggle("--all", a->all, "show all points");
-  a->options.jobs = default_jobs();
   a.jobs(a->options.jobs);
   a.json(a->json, "write the rows to FILE");
   return a.runs(run);

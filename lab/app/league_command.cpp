@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/names.hpp>
 #include <support/own_process.hpp>
 #include <support/progress.hpp>
 #include <support/say.hpp>
@@ -75,12 +76,7 @@ bool has(const json& record, const league::Entry& e) {
 
 std::vector<league::Entry> chosen(const Flags& f) {
   auto all = league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters);
-  for (const std::string& name : f.only)
-    if (std::ranges::find(all, name, &league::Entry::name) == all.end()) {
-      std::string known;
-      for (const league::Entry& e : all) known += (known.empty() ? "" : ", ") + e.name;
-      throw std::invalid_argument(fmt::format("--only: unknown library '{}'; known: {}", name, known));
-    }
+  check_known(f.only, names_of(all, &league::Entry::name), "--only", "library");
   if (!f.only.empty())
     std::erase_if(all,
                   [&](const league::Entry& e) { return std::ranges::find(f.only, e.name) == f.only.end(); });
@@ -198,7 +194,6 @@ Command league_command(CLI::App& program) {
   a.text("--adapters", a->adapters, "FILE.json", "list of adapters; default: the one that the build wrote");
   a.number("--cases", a->options.cases, 1, 100000000, "cases of each law and scalar");
   a.seed(a->options.seed, "seed of the cases");
-  a->options.jobs = default_jobs();
   a.jobs(a->options.jobs);
   return a.runs(run);
 }
@@ -210,7 +205,6 @@ Command league_measure_command(CLI::App& league) {
   a.text("--limits", a->options.limits, "FILE", "a limits file whose expected failures do not count");
   a.number("--cases", a->options.cases, 1, 100000000, "cases of each law and scalar");
   a.seed(a->options.seed, "seed of the cases");
-  a->options.jobs = default_jobs();
   a.jobs(a->options.jobs);
   a->robot.add(a, "robot of the operations on trees; default: random trees only");
   return a.runs(measure);

@@ -141,7 +141,6 @@ Command limits_command(CLI::App& lab) {
       "these hold in --check-cases cases of the next seed. Exit code 0 if they do; 1 otherwise; 2 "
       "for bad input; 3 if stopped");
   CampaignOptions& o = a->options;
-  o.jobs = default_jobs();
   a.list("--subject", o.selection.subjects, "NAME", "a subject; default: every correct:NAME");
   a.list("--property", o.selection.properties, "LAW", "a law; default: all");
   a.list("--scalar", o.selection.scalars, "SCALAR", "float or double; default: both");

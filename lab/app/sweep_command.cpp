@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <results/coefficients.hpp>
 #include <stdexcept>
+#include <support/names.hpp>
 #include <support/progress.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
@@ -18,21 +19,15 @@ namespace {
 struct Flags {
   std::vector<std::string> coefficients, operations, axes;
   std::string json;
-  unsigned jobs = default_jobs();
+  unsigned jobs = 1;
   std::uint32_t stride = 1;
 };
 
 std::vector<Coefficient> named(const std::vector<std::string>& names) {
   std::vector<Coefficient> all;
-  std::vector<std::string> known;
-  for (const CoefficientClaim& c : coefficient_claims()) known.push_back(c.name);
-  for (const std::string& name : names) {
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end())
-      throw std::invalid_argument(
-          fmt::format("--coefficient: unknown coefficient '{}'; known: {}", name, fmt::join(known, ", ")));
-    all.push_back(coefficient_claims()[static_cast<std::size_t>(found - known.begin())].coefficient);
-  }
+  check_known(names, names_of(coefficient_claims(), &CoefficientClaim::name), "--coefficient", "coefficient");
+  for (const std::string& name : names)
+    all.push_back(std::ranges::find(coefficient_claims(), name, &CoefficientClaim::name)->coefficient);
   return all;
 }
 

@@ -15,7 +15,9 @@
 #include <oracles/exp.hpp>
 #include <oracles/quaternion.hpp>
 #include <stdexcept>
+#include <subjects/subject_names.hpp>
 #include <subjects/typed.hpp>
+#include <support/names.hpp>
 #include <support/run_state.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
@@ -368,23 +370,15 @@ bool measure_in(Shared& shared, const std::function<void(const Horizon&)>& repor
 }  // namespace
 
 std::vector<std::string> horizon_walk_names() {
-  std::vector<std::string> names;
-  for (const Walk& walk : horizon_walks) names.emplace_back(walk.name);
-  return names;
+  return names_of(horizon_walks, &Walk::name);
 }
 
 bool measure_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
-  const auto known = horizon_walk_names();
-  for (const std::string& walk : o.walks)
-    if (!std::ranges::count(known, walk))
-      throw std::invalid_argument(
-          fmt::format("--walk: unknown walk '{}'; known: {}", walk, fmt::join(known, ", ")));
-  for (const std::string& scalar : o.scalars)
-    if (scalar != "float" && scalar != "double")
-      throw std::invalid_argument(fmt::format("--scalar: unknown scalar '{}'; known: float, double", scalar));
+  check_known(o.walks, horizon_walk_names(), "--walk", "walk");
+  check_known(o.scalars, {"float", "double"}, "--scalar", "scalar");
+  const auto subjects = subject_names();
   for (const std::string& name : o.subjects)
-    if (std::ranges::none_of(typed_subjects<double>(), [&](const auto* s) { return s->name == name; }) &&
-        std::ranges::none_of(typed_subjects<float>(), [&](const auto* s) { return s->name == name; }))
+    if (!std::ranges::count(subjects, name))
       throw std::invalid_argument(
           fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
   Shared shared{{o.state,

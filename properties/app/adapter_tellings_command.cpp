@@ -66,7 +66,6 @@ Command adapter_tellings_command(CLI::App& adapter) {
   a->options.cases = league::most_told_cases;
   a.number("--cases", a->options.cases, 1, league::most_told_cases, "cases of each law; at most 20");
   a.seed(a->options.seed, "seed of the cases");
-  a->options.jobs = default_jobs();
   a.jobs(a->options.jobs);
   return a.runs(tell);
 }

@@ -14,7 +14,6 @@ struct CaseFlags {
   CampaignOptions options;
   Flag jobs_flag;
 
-  CaseFlags() { options.jobs = default_jobs(); }
   /// Adds the flags. Returns all except --root.
   std::vector<Flag> add(Arguments& arguments);
 };

@@ -16,7 +16,6 @@
 #include <support/json.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
-#include <thread>
 
 namespace liecheck::properties {
 
@@ -39,10 +38,6 @@ extern "C" void on_signal(int number) {
 }
 
 }  // namespace
-
-unsigned default_jobs() {
-  return std::max(1u, std::thread::hardware_concurrency());
-}
 
 Flag RobotFlags::add(Arguments& a, const std::string& help) {
   const Flag robot = a.text("--robot", file, "URDF", help);

@@ -80,6 +80,7 @@ class Arguments {
   }
 
   Flag seed(std::uint64_t& target, const std::string& help);
+  /// The number of threads; by default one for each core.
   Flag jobs(unsigned& target);
   /// --read-outside, of the commands that read scenes.
   Flag outside(std::vector<std::string>& target);
@@ -112,9 +113,6 @@ class CommandWith : public Arguments {
  private:
   std::shared_ptr<Flags> flags_ = std::make_shared<Flags>();
 };
-
-/// The default number of threads: one for each core.
-unsigned default_jobs();
 
 /// --robot and --root.
 struct RobotFlags {

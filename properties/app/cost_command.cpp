@@ -6,6 +6,7 @@
 #include <app/cost_batches.hpp>
 #include <cmath>
 #include <record/record.hpp>
+#include <subjects/subject_names.hpp>
 #include <support/environment.hpp>
 #include <support/own_process.hpp>
 #include <support/progress.hpp>
@@ -154,7 +155,7 @@ void add_subjects(CostOptions& o, const std::vector<std::string>& adapters) {
   const bool all = o.subjects.empty();
   o.subjects.insert(o.subjects.end(), adapters.begin(), adapters.end());
   if (all)
-    for (const std::string& name : cost_subjects())
+    for (const std::string& name : subject_names())
       if (name == "liecheck" || name.starts_with("liecheck:")) o.subjects.push_back(name);
 }
 

@@ -13,6 +13,7 @@
 #include <support/environment.hpp>
 #include <support/files.hpp>
 #include <support/json_number.hpp>
+#include <support/names.hpp>
 #include <support/progress.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
@@ -175,15 +176,10 @@ class Run {
   }
   static std::vector<Environment> chosen(const std::vector<std::string>& only) {
     if (only.empty()) return environments::all();
+    check_known(only, names_of(environments::all(), &Environment::name), "--only", "environment");
     std::vector<Environment> some;
-    std::string known;
-    for (const Environment& e : environments::all()) known += (known.empty() ? "" : ", ") + e.name;
-    for (const std::string& name : without_repeats(only)) {
-      const auto at = std::ranges::find(environments::all(), name, &Environment::name);
-      if (at == environments::all().end())
-        throw std::invalid_argument(fmt::format("--only: unknown environment '{}'; known: {}", name, known));
-      some.push_back(*at);
-    }
+    for (const std::string& name : without_repeats(only))
+      some.push_back(*std::ranges::find(environments::all(), name, &Environment::name));
     return some;
   }
   std::string add_source(const EnvironmentsFlags& f) {
@@ -375,7 +371,6 @@ Command environments_command(CLI::App& program) {
   a.seed(a->options.seed, "seed of the cases");
   a.toggle("--all", a->all, "show every operation, not only those that are worse");
   a.text("--dir", a->folder, "DIR", "folder of the builds, which are kept; default: that of the build tree");
-  a->options.jobs = default_jobs();
   a.jobs(a->options.jobs);
   a.json(a->json, "write the matrix to FILE");
   return a.runs(run);

@@ -22,7 +22,7 @@ namespace {
 struct HardCasesFlags {
   SelectionFlags selection;
   std::vector<std::string> files;
-  unsigned jobs = default_jobs();
+  unsigned jobs = 1;
   std::string share;
 };
 

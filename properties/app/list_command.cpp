@@ -6,7 +6,7 @@
 #include <operations/list.hpp>
 #include <rules/rules.hpp>
 #include <set>
-#include <subjects/other_libraries.hpp>
+#include <subjects/subject_names.hpp>
 #include <support/say.hpp>
 
 namespace liecheck::properties {

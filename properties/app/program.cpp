@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <app/command.hpp>
 #include <app/command_line.hpp>
 #include <app/completion.hpp>
@@ -13,6 +14,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/text.hpp>
+#include <thread>
 
 namespace liecheck::properties {
 
@@ -194,6 +196,7 @@ Flag Arguments::seed(std::uint64_t& target, const std::string& help) {
 }
 
 Flag Arguments::jobs(unsigned& target) {
+  target = std::max(1u, std::thread::hardware_concurrency());
   return number("-j,--jobs", target, 1, 1024, "number of threads; the digests do not depend on it");
 }
 

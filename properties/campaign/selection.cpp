@@ -5,7 +5,7 @@
 #include <invariants/property.hpp>
 #include <set>
 #include <stdexcept>
-#include <subjects/other_libraries.hpp>
+#include <subjects/subject_names.hpp>
 
 namespace liecheck::properties {
 
@@ -107,13 +107,6 @@ std::unique_ptr<Series> series_of(const std::string& property, const Subject& su
   for (auto& p : make_properties(*subject.scalar))
     if (p->name() == property) return std::make_unique<Series>(std::move(p), subject, robot);
   return nullptr;
-}
-
-std::vector<std::string> subject_names() {
-  std::set<std::string> names;
-  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
-    for (const Subject* s : subjects(*scalar)) names.insert(s->name);
-  return {names.begin(), names.end()};
 }
 
 void check_subjects(const std::vector<std::string>& names) {

@@ -2,6 +2,7 @@
 // Selects the laws, subjects and scalars of a campaign.
 
 #include <campaign/series.hpp>
+#include <subjects/subject_names.hpp>
 
 namespace liecheck::properties {
 
@@ -17,7 +18,6 @@ std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Ro
 /// One law on any subject. `subject` must outlive the series. Throws std::invalid_argument.
 std::unique_ptr<Series> series_of(const std::string& property, const Subject& subject, const Robot& robot);
 
-std::vector<std::string> subject_names();
 /// Throws std::invalid_argument for a name that is not known.
 void check_subjects(const std::vector<std::string>& names);
 std::vector<std::string> property_names();

@@ -11,8 +11,8 @@
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <stdexcept>
-#include <subjects/other_libraries.hpp>
 #include <subjects/remote.hpp>
+#include <subjects/subject_names.hpp>
 #include <support/float_environment.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>

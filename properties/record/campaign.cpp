@@ -7,7 +7,7 @@
 #include <record/record.hpp>
 #include <set>
 #include <store/stored_run.hpp>
-#include <subjects/other_libraries.hpp>
+#include <subjects/subject_names.hpp>
 #include <support/environment.hpp>
 #include <support/json.hpp>
 #include <support/json_number.hpp>

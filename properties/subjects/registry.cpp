@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
+#include <set>
 #include <subjects/linked.hpp>
-#include <subjects/other_libraries.hpp>
+#include <subjects/subject_names.hpp>
 #include <subjects/typed.hpp>
 
 namespace liecheck::properties {
@@ -69,6 +70,13 @@ std::vector<const Subject*> subjects(const Scalar& scalar) {
     if (*s.scalar == scalar) all.push_back(&s);
   std::ranges::sort(all, {}, &Subject::name);
   return all;
+}
+
+std::vector<std::string> subject_names() {
+  complete();
+  std::set<std::string> names;
+  for (const Subject& s : registered()) names.insert(s.name);
+  return {names.begin(), names.end()};
 }
 
 namespace {

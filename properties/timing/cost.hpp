@@ -86,7 +86,6 @@ CostResult measure_cost(const CostOptions& options);
 std::string times_in_this_process(const CostOptions& options);
 
 std::vector<std::string> cost_operations();
-std::vector<std::string> cost_subjects();
 /// The scalars that are timed, from the fewest to the most digits.
 std::vector<std::string> cost_scalars();
 /// The scalars of linked_wide_rows (rows.hpp): of the laboratory.

@@ -4,8 +4,9 @@
 #include <adapters/sizes.hpp>
 #include <chrono>
 #include <cmath>
-#include <set>
 #include <stdexcept>
+#include <subjects/subject_names.hpp>
+#include <support/names.hpp>
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
@@ -94,14 +95,6 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
       add_adapters);
 }
 
-void check_known(const std::vector<std::string>& given, const std::vector<std::string>& known,
-                 const char* flag, const char* what) {
-  for (const std::string& name : given)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument(
-          fmt::format("{}: unknown {} '{}'; known: {}", flag, what, name, fmt::join(known, ", ")));
-}
-
 }  // namespace
 
 std::vector<std::string>& linked_wide_scalars() {
@@ -124,19 +117,12 @@ std::vector<std::string> cost_operations() {
   return all;
 }
 
-std::vector<std::string> cost_subjects() {
-  std::set<std::string> names;
-  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
-    for (const Subject* s : subjects(*scalar)) names.insert(s->name);
-  return {names.begin(), names.end()};
-}
-
 namespace {
 
 /// All rows, with their errors if `scored`. Throws std::invalid_argument if there are none.
 CostPlan plan_of(const CostOptions& options, bool scored) {
   check_known(options.operations, cost_operations(), "--op", "operation");
-  check_known(options.subjects, cost_subjects(), "--subject", "subject");
+  check_known(options.subjects, subject_names(), "--subject", "subject");
   check_known(options.scalars, cost_scalars(), "--scalar", "scalar");
   CostPlan plan{options, scored, {}, {}};
   const Laws laws = make_properties(oracles::scalar_of<double>);

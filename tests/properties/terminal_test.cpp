@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <subjects/other_libraries.hpp>
+#include <subjects/subject_names.hpp>
 
 #include <fmt/format.h>
 #include <subjects/typed.hpp>
