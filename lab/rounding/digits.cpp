@@ -8,13 +8,13 @@
 #include <cfenv>
 #include <conventions/reference.hpp>
 #include <cstdio>
+#include <invariants/arguments.hpp>
 #include <map>
 #include <memory>
 #include <operations/numbers.hpp>
 #include <rounding/subjects.hpp>
 #include <sstream>
 #include <stdexcept>
-#include <timing/arguments.hpp>
 #include <timing/inputs.hpp>
 
 namespace liecheck::properties {

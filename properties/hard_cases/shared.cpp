@@ -6,9 +6,9 @@
 #include <campaign/selection.hpp>
 #include <conventions/reference.hpp>
 #include <hard_cases/attempt.hpp>
+#include <invariants/arguments.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <support/json.hpp>
 #include <support/json_number.hpp>
@@ -26,28 +26,6 @@ constexpr int digits = 40;
 bool is_shared(const Operation& o) {
   return !o.name.starts_with("d_") && !o.name.starts_with("right_") && o.results.size() > 0 &&
          o.results[0]->parts.size() > 0;
-}
-
-/// The arguments of an operation: those fields that have the names of its parts. Nothing if one is missing.
-std::optional<std::vector<double>> arguments_of(const Operation& o, const std::vector<Field>& fields,
-                                                const std::vector<double>& x) {
-  std::vector<double> all;
-  for (const Layout* argument : o.arguments)
-    for (const Part& part : argument->parts) {
-      std::size_t at = 0;
-      auto field = fields.begin();
-      for (; field != fields.end() && field->name != part.name; ++field)
-        at += static_cast<std::size_t>(field->size);
-      if (field == fields.end()) return std::nullopt;
-      if (field->kind == Kind::inertia && part.size == 9)  // xx xy yy xz yz zz
-        for (const std::size_t i : {0, 1, 3, 1, 2, 4, 3, 4, 5}) all.push_back(x[at + i]);
-      else if (field->size == part.size)
-        all.insert(all.end(), x.begin() + static_cast<std::ptrdiff_t>(at),
-                   x.begin() + static_cast<std::ptrdiff_t>(at) + field->size);
-      else
-        return std::nullopt;
-    }
-  return all;
 }
 
 /// kappa of each operation in one case, the largest of its blocks; below 0 where the oracles have no result.
@@ -86,25 +64,28 @@ class Collector {
  public:
   void add(const Series& s, const HardCase& h) {
     const std::vector<double> x = s.parsed(raw_case(s, h));
+    const FieldPositions fields(s.fields);
     std::map<std::string_view, double> kappa;
     std::set<const Operation*, ByName> operations;
     for (const Output& o : s.outputs) operations.insert(o.record);
     for (const Operation* o : operations) {
-      const auto arguments = is_shared(*o) ? arguments_of(*o, s.fields, x) : std::nullopt;
-      if (!arguments || !seen_.insert(fmt::format("{} {} {}", h.name, o->name, s.scalar)).second) continue;
+      if (!is_shared(*o) || !fields.has_arguments_of(*o) ||
+          !seen_.insert(fmt::format("{} {} {}", h.name, o->name, s.scalar)).second)
+        continue;
       if (kappa.empty()) kappa = kappas(s, x);
       try {
         const double k = kappa.contains(o->name) ? kappa.at(o->name) : 0;
         if (k < 0) throw oracles::Undecided();
         std::vector<std::string> input;
-        for (const double number : *arguments) input.push_back(hexadecimal_float(number));
+        const std::vector<double> arguments = fields.arguments_of(*o, x);
+        for (const double number : arguments) input.push_back(hexadecimal_float(number));
         lines_[o].push_back(dumped({{"name", h.name},
                                     {"class", h.hard_class},
                                     {"origin", h.origin},
                                     {"scalar", s.scalar},
                                     {"kappa", number(std::stod(fmt::format("{:.3g}", k)))},
                                     {"input", input},
-                                    {"exact", exact_of(*o, *arguments)}}));
+                                    {"exact", exact_of(*o, arguments)}}));
         names_.insert(h.name);
       } catch (const std::exception&) {  // no rotation, or the oracles disagree
         ++corpus_.unresolved;

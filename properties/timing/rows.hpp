@@ -7,10 +7,10 @@
 #include <conventions/stated.hpp>
 #include <deque>
 #include <functional>
+#include <invariants/arguments.hpp>
 #include <iterator>
 #include <map>
 #include <subjects/typed.hpp>
-#include <timing/arguments.hpp>
 #include <timing/batches.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>

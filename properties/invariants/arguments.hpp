@@ -15,7 +15,9 @@ class FieldPositions {
   bool has_arguments_of(const Operation& operation) const {
     for (const Layout* argument : operation.arguments)
       for (const Part& part : argument->parts)
-        if (!find(part.name).first) return false;
+        if (const Field* const f = find(part.name).first;
+            !f || (f->size != part.size && !(f->kind == Kind::inertia && part.size == 9)))
+          return false;
     return true;
   }
   /// The numbers of an operation's arguments, in the order of their layouts. A double holds a float exactly.
