@@ -26,9 +26,6 @@ class AnyNorm final : public Law<AnyNorm> {
     const auto Q = unit_quaternion<S>(source);
     return Joined<S>{Vec<S, 4>(quaternion_norm<S>(source) * Q), vector3<S>(source)};
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && !zero_quaternion_at(input, 0);
-  }
 
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {

@@ -39,9 +39,6 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && !zero_quaternion_at(input, 3) && !zero_quaternion_at(input, 10);
-  }
 
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {

@@ -38,9 +38,6 @@ class CoefficientRates final : public SlowLaw<CoefficientRates> {
     append(x, kind == 3 ? Vec<S, 4>(source.symmetric<S>() * Q) : rate);
     return x;
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && norm_defect_at(scalar(), input, 3) <= 8;
-  }
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;

@@ -172,14 +172,6 @@ inline double norm_defect_at(const oracles::Scalar& scalar, const std::vector<do
   return oracles::norm_defect(scalar, Q);
 }
 
-/// ||R^T R - I|| in eps, for the matrix R that starts at `first`.
-inline double orthogonality_defect_at(const oracles::Scalar& scalar, const std::vector<double>& input,
-                                      std::size_t first) {
-  oracles::Mat3<> R;
-  for (std::size_t i = 0; i < 9; ++i) R.x[i] = oracles::exact<Real>(input[first + i]);
-  return oracles::orthogonality_defect(scalar, R);
-}
-
 /// Two blocks of an operation whose result is a 6 x 6 Jacobian or a spatial vector.
 using TwoOutputs = std::array<Output, 2>;
 consteval TwoOutputs jacobian_outputs(const Operation& o) {

@@ -36,9 +36,6 @@ class DIntegrate final : public Law<DIntegrate> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<double>& x) const override {
-    return Property::valid(x) && norm_defect_at(scalar(), x, 3) <= 8 && norm_defect_at(scalar(), x, 10) <= 8;
-  }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;

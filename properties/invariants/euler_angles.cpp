@@ -36,12 +36,7 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     return x;
   }
   bool valid(const std::vector<double>& input) const override {
-    if (!Property::valid(input)) return false;
-    const int number = static_cast<int>(input[0]);
-    if (!(number == input[0] && number >= 0 && number < 24)) return false;
-    for (std::size_t i = 1; i < 4; ++i)
-      if (!(std::fabs(input[i]) <= scalar().pi)) return false;
-    return norm_defect_at(scalar(), input, 4) <= 8 && orthogonality_defect_at(scalar(), input, 8) <= 8;
+    return Property::valid(input) && input[0] == std::floor(input[0]) && input[0] >= 0 && input[0] < 24;
   }
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;

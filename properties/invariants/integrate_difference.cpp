@@ -40,10 +40,6 @@ class IntegrateDifference final : public Law<IntegrateDifference> {
                      vector3<S>(source),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<double>& input) const override {
-    if (!Property::valid(input)) return false;
-    return norm_defect_at(scalar(), input, 3) <= 8 && norm_defect_at(scalar(), input, 10) <= 8;
-  }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;

@@ -49,7 +49,7 @@ class KinematicIdentities final : public Law<KinematicIdentities> {
     return Joined<S>{vector3<S>(source), unit_quaternion<S>(source), vector3<S>(source), vector3<S>(source)};
   }
   bool valid(const std::vector<double>& input) const override {
-    if (!Property::valid(input)) return false;
+    if (!oracles::all_finite(input)) return false;
     Reader reader(input);
     reader.take<3>();
     const auto Q = oracles::exact_vector<4, Real>(reader.take<4>());

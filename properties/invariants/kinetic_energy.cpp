@@ -63,7 +63,7 @@ class KineticEnergy final : public Law<KineticEnergy> {
   /// R must be near a rotation, m > 0, and I_C that of a physical body: its second moment tr(I_C) / 2 - I_C
   /// is positive semidefinite, up to the rounding of I_C. The products of the law are finite.
   bool valid(const std::vector<double>& input) const override {
-    if (!Property::valid(input)) return false;
+    if (!oracles::all_finite(input)) return false;
     using oracles::Real;
     const Case<Real> x(input);
     const Real m = x.I_e.mass, c = norm(x.I_e.c), p = norm(x.X_e.p), u = norm(head3(x.V_e)),

@@ -24,10 +24,6 @@ class LogOracle final : public Law<LogOracle> {
     const auto Q = unit_quaternion<S>(source);
     return Joined<S>{Q, rotation_matrix<S>(Q), vector3<S>(source)};
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
-           orthogonality_defect_at(scalar(), input, 4) <= 8;
-  }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;

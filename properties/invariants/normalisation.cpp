@@ -26,7 +26,7 @@ class Normalisation final : public Law<Normalisation> {
         Vec<S, 4>((kind == 1 ? S(1) + step / S(1000000) : S(39) / S(40) + step * S(9) / S(40)) * Q)};
   }
   bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) &&
+    return oracles::all_finite(input) &&
            norm_defect_at(scalar(), input, 0) <= std::ldexp(0.5, scalar().digits - 1);
   }
   template <class Real>

@@ -47,7 +47,7 @@ class PlanarPoses final : public SlowLaw<PlanarPoses> {
       const Real c = oracles::exact<Real>(input[i]), s = oracles::exact<Real>(input[i + 1]);
       return abs(Real(c * c + s * s - 1)) <= Real(8 * scalar().epsilon);
     };
-    return Property::valid(input) && std::fabs(input[2]) <= scalar().pi && unit(5) && unit(9);
+    return Property::valid(input) && unit(5) && unit(9);
   }
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;

@@ -30,10 +30,6 @@ class PoseGroup final : public Law<PoseGroup> {
     }
     return x;
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && orthogonality_defect_at(scalar(), input, 0) <= 8 &&
-           orthogonality_defect_at(scalar(), input, 12) <= 8;
-  }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;

@@ -61,7 +61,7 @@ class PowerPairing final : public Law<PowerPairing> {
     return input;
   }
   bool valid(const std::vector<double>& input) const override {
-    if (!Property::valid(input)) return false;
+    if (!oracles::all_finite(input)) return false;
     Reader reader(input);
     const auto R = oracles::exact_matrix<3, 3, Real>(reader.take_matrix());
     const auto length = [&reader] { return Real(norm(oracles::exact_vector<3, Real>(reader.take<3>()))); };

@@ -1,6 +1,7 @@
 #include <invariants/property.hpp>
 
 #include <algorithm>
+#include <oracles/error.hpp>
 
 namespace liecheck::properties {
 
@@ -26,7 +27,31 @@ bool Property::takes(std::size_t numbers) const {
   return numbers == all;
 }
 bool Property::valid(const std::vector<double>& input) const {
-  return std::all_of(input.begin(), input.end(), [](double x) { return std::isfinite(x); });
+  if (!oracles::all_finite(input)) return false;
+  std::size_t at = 0;
+  const auto is_of = [&](const Field& f) {
+    const double* const x = input.data() + at;
+    const auto each = [&](const auto& holds) { return std::all_of(x, x + f.size, holds); };
+    switch (f.kind) {
+      case Kind::quaternion:
+        return oracles::norm_defect(scalar(), oracles::exact_vector<4>(x)) <= 8;
+      case Kind::any_quaternion:
+        return !each([](double a) { return a == 0; });
+      case Kind::rotation_matrix:
+        return oracles::orthogonality_defect(scalar(), {oracles::exact_vector<9>(x).x}) <= 8;
+      case Kind::fraction:
+        return each([](double a) { return a >= 0 && a <= 1; });
+      case Kind::angle:
+        return each([&](double a) { return std::fabs(a) <= scalar().pi; });
+      default:
+        return true;
+    }
+  };
+  for (const Field& f : fields()) {
+    if (!is_of(f)) return false;
+    at += static_cast<std::size_t>(f.size);
+  }
+  return true;
 }
 
 std::vector<std::unique_ptr<Property>> make_properties(const oracles::Scalar& scalar) {

@@ -81,7 +81,9 @@ class Property {
   virtual void prepare(const Robot&) {}
   /// Generates a valid input, numbers of the scalar, from random bits alone.
   virtual std::vector<double> generate(Source& source) const = 0;
-  /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.
+  /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite, and each group is
+  /// of its kind: quaternions and rotation matrices are unit up to 8 eps, those of any norm are not zero, fractions are in
+  /// [0, 1], angles are up to pi in size.
   virtual bool valid(const std::vector<double>& input) const;
   /// Simpler inputs that differ in more than one field. Some of them may be invalid.
   virtual std::vector<std::vector<double>> simpler(const std::vector<double>&) const { return {}; }

@@ -29,10 +29,6 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
     x.push_back(fraction<S>(source));
     return x;
   }
-  bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
-           norm_defect_at(scalar(), input, 4) <= 8 && input[8] >= 0 && input[8] <= 1;
-  }
 
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     const auto& o = subject.operations;

@@ -36,7 +36,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, RobotStates> {
   }
   bool valid(const std::vector<double>& x) const override {
     const double k = x[x.size() - 2], size = std::fabs(x.back());
-    return this->valid_states(x) && k >= 0 && k < nv_ && k == static_cast<int>(k) && size < 3 &&
+    return RobotStates::valid(x) && k >= 0 && k < nv_ && k == static_cast<int>(k) && size < 3 &&
            scalar().rounded(size * size) > 4 * scalar().epsilon;
   }
   template <class Real>

@@ -24,7 +24,6 @@ class RobotDerivatives final : public Law<RobotDerivatives, RobotStates> {
   std::vector<S> draw(Source& source) const {
     return this->template states<S>(source);
   }
-  bool valid(const std::vector<double>& x) const override { return this->valid_states(x); }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;

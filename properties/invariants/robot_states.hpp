@@ -84,13 +84,11 @@ class RobotStates : public Property {
     }
     return Joined<S>{q0, q1, d};
   }
-  /// Whether the numbers are finite, and quaternions and (cos, sin) are unit within the contract.
-  bool valid_states(const std::vector<double>& x) const {
+  bool valid(const std::vector<double>& x) const override {
     if (!Property::valid(x)) return false;
-    for (const Segment& s : segments_)
+    for (const Segment& s : segments_)  // (cos, sin) are unit within the contract
       for (int at : {s.q, nq_ + s.q}) {
         const auto i = static_cast<std::size_t>(at);
-        if (s.nq == 7 && norm_defect_at(scalar(), x, i + 3) > 8) return false;
         if (s.nq == 2 && oracles::norm_defect(scalar(), oracles::Quaternion<>{{oracles::exact<Real>(x[i]),
                                                                                oracles::exact<Real>(x[i + 1]),
                                                                                Real(0), Real(0)}}) > 8)

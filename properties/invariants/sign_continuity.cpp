@@ -25,9 +25,6 @@ class SignContinuity final : public Law<SignContinuity> {
     return Joined<S>{vector3<S>(source, 8), unit_quaternion<S>(source), vector3<S>(source, 8),
                      rotation_vector<S>(source, AngleRange::unbounded)};
   }
-  bool valid(const std::vector<double>& x) const override {
-    return Property::valid(x) && norm_defect_at(scalar(), x, 3) <= 8;
-  }
   template <class Real>
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     using namespace oracles;

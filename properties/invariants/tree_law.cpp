@@ -243,7 +243,7 @@ template std::vector<float> AnyTreeLaw::draw(Source&) const;
 template std::vector<double> AnyTreeLaw::draw(Source&) const;
 
 bool AnyTreeLaw::valid(const std::vector<double>& input) const {
-  if (!Property::valid(input)) return false;
+  if (!oracles::all_finite(input)) return false;
   if (!takes(input.size())) return false;
   const std::vector<double> x = full_of(input);
   const TreeLayout at = layout_of(x);

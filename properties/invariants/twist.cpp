@@ -29,8 +29,7 @@ class Twist final : public SlowLaw<Twist> {
     return Joined<S>{Q, axis};
   }
   bool valid(const std::vector<double>& input) const override {
-    return Property::valid(input) && norm_defect_at(scalar(), input, 0) <= 8 &&
-           (input[4] != 0 || input[5] != 0 || input[6] != 0);
+    return Property::valid(input) && (input[4] != 0 || input[5] != 0 || input[6] != 0);
   }
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     if (!subject.operations[measured]) return;
