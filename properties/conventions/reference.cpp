@@ -16,168 +16,141 @@ template <class B>
 class Reader {
  public:
   explicit Reader(const std::vector<B>& numbers) : at_(numbers.data()), end_(at_ + numbers.size()) {}
-  template <int R, int C = 1>
-  oracles::Mat<R, C, B> take() {
-    if (end_ - at_ < R * C) throw std::logic_error("too few numbers");
-    oracles::Mat<R, C, B> m;
-    for (B& x : m.x) x = *at_++;
-    return m;
-  }
-  PoseOf<B> pose() {
-    const Mat3<B> R = take<3, 3>();
-    return {R, take<3>()};
-  }
-  BodyOf<B> body() {
-    const B mass = take<1>()[0];
-    const Vec3<B> c = take<3>();
-    return {mass, c, take<3, 3>()};
+  template <class Value>
+  Value take() {
+    if constexpr (requires(Value v) { v.I_C; }) {
+      return {take<B>(), take<Vec3<B>>(), take<Mat3<B>>()};  // the braces evaluate in this order
+    } else if constexpr (requires(Value v) { v.R; }) {
+      return {take<Mat3<B>>(), take<Vec3<B>>()};
+    } else if constexpr (requires(Value v) { v.x; }) {
+      Value m;
+      for (B& x : m.x) x = next();
+      return m;
+    } else if constexpr (std::is_same_v<Value, Order>) {
+      return Order(static_cast<int>(next()));
+    } else {
+      return next();
+    }
   }
 
  private:
+  const B& next() {
+    if (at_ == end_) throw std::logic_error("too few numbers");
+    return *at_++;
+  }
   const B *at_, *end_;
 };
 
-template <class B, int R, int C>
-void append(std::vector<B>& to, const oracles::Mat<R, C, B>& m) {
-  to.insert(to.end(), m.x.begin(), m.x.end());
-}
-template <class B>
-void append(std::vector<B>& to, const B& x) {
-  to.push_back(x);
-}
-template <class B>
-void append(std::vector<B>& to, const BodyOf<B>& I) {
-  append(to, I.mass), append(to, I.c), append(to, I.I_C);
-}
-template <class B, class... T>
-std::vector<B> stacked(const T&... values) {
-  std::vector<B> all;
-  all.reserve(36);  // of the largest result
-  (append(all, values), ...);
-  return all;
+/// Appends the numbers of a value, or of the result of an oracle.
+template <class B, class Value>
+void append(std::vector<B>& to, const Value& v) {
+  if constexpr (std::is_same_v<Value, B>)
+    to.push_back(v);
+  else if constexpr (requires { v.I_C; })
+    append(to, v.mass), append(to, v.c), append(to, v.I_C);
+  else if constexpr (requires { v.second; })
+    append(to, v.first), append(to, v.second);
+  else if constexpr (requires { v.R, v.p; })
+    append(to, v.R), append(to, v.p);
+  else if constexpr (requires { v.matrix(); })
+    append(to, v.matrix());
+  else if constexpr (requires { v.value(); })
+    append(to, v.value());
+  else if constexpr (requires { v.resolved; })
+    append(to, v.value);
+  else
+    to.insert(to.end(), v.x.begin(), v.x.end());
 }
 
 template <class B>
-using Formulas = std::map<std::string_view, std::function<std::vector<B>(Reader<B>)>>;
+using Formula = std::function<std::vector<B>(Reader<B>)>;
+template <class B>
+using Formulas = std::map<std::string_view, Formula<B>>;
+
+/// The formula that reads arguments of these types, one after the other.
+template <class B, class... A, class F>
+Formula<B> of(F f) {
+  return [f](Reader<B> x) {
+    const std::tuple<A...> arguments{x.template take<A>()...};
+    std::vector<B> numbers;
+    numbers.reserve(36);  // of the largest result
+    append(numbers, std::apply(f, arguments));
+    return numbers;
+  };
+}
 
 template <class B>
 Formulas<B> exponentials() {
-  using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
-  const auto jacobian3 = [=](auto f) {
-    return [=](Reader x) { return numbers(f(stack(zero_vector<3, B>(), x.template take<3>())).J); };
+  using V3 = Vec3<B>;
+  using V4 = Quaternion<B>;
+  using V6 = Vec6<B>;
+  const auto jacobian3 = [](auto f) {
+    return of<B, V3>([f](const V3& phi) { return f(stack(zero_vector<3, B>(), phi)).J; });
   };
-  const auto jacobian6 = [=](auto f) {
-    return [=](Reader x) { return numbers(f(x.template take<6>()).matrix()); };
-  };
-  const auto left = [](const Vec6<B>& xi) { return left_jacobian_se3(xi); };
-  const auto right = [](const Vec6<B>& xi) { return right_jacobian_se3(xi); };
-  const auto left_inverse = [](const Vec6<B>& xi) { return left_jacobian_se3_inverse(xi); };
-  const auto right_inverse = [](const Vec6<B>& xi) { return right_jacobian_se3_inverse(xi); };
-  return {
-      {"exp3_quaternion", [=](Reader x) { return numbers(exp_so3(x.template take<3>()).Q); }},
-      {"exp3_matrix", [=](Reader x) { return numbers(rotation_matrix(exp_so3(x.template take<3>()).Q)); }},
-      {"log3_quaternion", [=](Reader x) { return numbers(log_so3(x.template take<4>()).phi); }},
-      {"log3_any_norm", [=](Reader x) { return numbers(log_so3(x.template take<4>()).phi); }},
-      {"log3_matrix",
-       [=](Reader x) { return numbers(log_se3_matrix(x.template take<3, 3>(), zero_vector<3, B>()).phi); }},
-      {"exp6",
-       [=](Reader x) {
-         const ExpValue<B> e = exp_se3(x.template take<6>());
-         return numbers(rotation_matrix(e.Q), e.p);
-       }},
-      {"log6",
-       [=](Reader x) {
-         const PoseOf<B> X = x.pose();
-         return numbers(log_se3_matrix(X.R, X.p).value());
-       }},
-      {"left_jacobian3", jacobian3(left)},
-      {"right_jacobian3", jacobian3(right)},
-      {"left_jacobian3_inverse", jacobian3(left_inverse)},
-      {"right_jacobian3_inverse", jacobian3(right_inverse)},
-      {"left_jacobian6", jacobian6(left)},
-      {"right_jacobian6", jacobian6(right)},
-      {"left_jacobian6_inverse", jacobian6(left_inverse)},
-      {"right_jacobian6_inverse", jacobian6(right_inverse)}};
+  const auto left = [](const V6& xi) { return left_jacobian_se3(xi); };
+  const auto right = [](const V6& xi) { return right_jacobian_se3(xi); };
+  const auto left_inverse = [](const V6& xi) { return left_jacobian_se3_inverse(xi); };
+  const auto right_inverse = [](const V6& xi) { return right_jacobian_se3_inverse(xi); };
+  const auto log3 = of<B, V4>([](const V4& Q) { return log_so3(Q).phi; });
+  return {{"exp3_quaternion", of<B, V3>([](const V3& phi) { return exp_so3(phi).Q; })},
+          {"exp3_matrix", of<B, V3>([](const V3& phi) { return rotation_matrix(exp_so3(phi).Q); })},
+          {"log3_quaternion", log3},
+          {"log3_any_norm", log3},
+          {"log3_matrix",
+           of<B, Mat3<B>>([](const auto& R) { return log_se3_matrix(R, zero_vector<3, B>()).phi; })},
+          {"exp6", of<B, V6>([](const V6& xi) {
+             const ExpValue<B> e = exp_se3(xi);
+             return PoseOf<B>{rotation_matrix(e.Q), e.p};
+           })},
+          {"log6", of<B, PoseOf<B>>([](const auto& X) { return log_se3_matrix(X.R, X.p); })},
+          {"left_jacobian3", jacobian3(left)},
+          {"right_jacobian3", jacobian3(right)},
+          {"left_jacobian3_inverse", jacobian3(left_inverse)},
+          {"right_jacobian3_inverse", jacobian3(right_inverse)},
+          {"left_jacobian6", of<B, V6>(left)},
+          {"right_jacobian6", of<B, V6>(right)},
+          {"left_jacobian6_inverse", of<B, V6>(left_inverse)},
+          {"right_jacobian6_inverse", of<B, V6>(right_inverse)}};
 }
 
 template <class B>
 Formulas<B> spatial_algebra() {
-  using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
-  const auto moved = [=](auto f) {
-    return [=](Reader x) {
-      const PoseOf<B> X = x.pose();
-      return numbers(f(X, x.template take<6>()));
-    };
-  };
-  const auto crossed = [=](auto f) {
-    return [=](Reader x) {
-      const Vec6<B> V = x.template take<6>();
-      return numbers(f(V, x.template take<6>()));
-    };
-  };
-  const auto of_body = [=](auto f) {
-    return [=](Reader x) {
-      const BodyOf<B> I = x.body();
-      return numbers(f(I, x.template take<6>()));
-    };
-  };
-  const auto moved_body = [=](auto f) {
-    return [=](Reader x) {
-      const PoseOf<B> X = x.pose();
-      return numbers(f(X, x.body()));
-    };
-  };
-  return {{"compose",
-           [=](Reader x) {
-             const PoseOf<B> X = x.pose(), Y = x.pose();
-             return numbers(X.R * Y.R, X.R * Y.p + X.p);
-           }},
-          {"inverse",
-           [=](Reader x) {
-             const PoseOf<B> X = x.pose();
-             return numbers(transpose(X.R), -(transpose(X.R) * X.p));
-           }},
-          {"act_point",
-           [=](Reader x) {
-             const PoseOf<B> X = x.pose();
-             return numbers(X.R * x.template take<3>() + X.p);
-           }},
-          {"act_motion", moved(formulas::act_motion<B>)},
-          {"act_inverse_motion", moved(formulas::act_inverse_motion<B>)},
-          {"act_force", moved(formulas::act_force<B>)},
-          {"act_inverse_force", moved(formulas::act_inverse_force<B>)},
-          {"cross_motion", crossed(formulas::cross_motion<B>)},
-          {"cross_force", crossed(formulas::cross_force<B>)},
-          {"act_inertia", moved_body(formulas::act_inertia<B>)},
-          {"act_inverse_inertia", moved_body(formulas::act_inverse_inertia<B>)},
-          {"momentum", of_body(formulas::momentum<B>)},
-          {"kinetic_energy", of_body(formulas::kinetic_energy<B>)},
-          {"inertia_matrix", [=](Reader x) { return numbers(formulas::inertia_matrix(x.body())); }}};
+  using P = PoseOf<B>;
+  using I = BodyOf<B>;
+  using V = Vec6<B>;
+  return {{"compose", of<B, P, P>([](const P& X, const P& Y) {
+             return P{X.R * Y.R, X.R * Y.p + X.p};
+           })},
+          {"inverse", of<B, P>([](const P& X) {
+             return P{transpose(X.R), -(transpose(X.R) * X.p)};
+           })},
+          {"act_point", of<B, P, Vec3<B>>([](const P& X, const auto& x) { return X.R * x + X.p; })},
+          {"act_motion", of<B, P, V>(formulas::act_motion<B>)},
+          {"act_inverse_motion", of<B, P, V>(formulas::act_inverse_motion<B>)},
+          {"act_force", of<B, P, V>(formulas::act_force<B>)},
+          {"act_inverse_force", of<B, P, V>(formulas::act_inverse_force<B>)},
+          {"cross_motion", of<B, V, V>(formulas::cross_motion<B>)},
+          {"cross_force", of<B, V, V>(formulas::cross_force<B>)},
+          {"act_inertia", of<B, P, I>(formulas::act_inertia<B>)},
+          {"act_inverse_inertia", of<B, P, I>(formulas::act_inverse_inertia<B>)},
+          {"momentum", of<B, I, V>(formulas::momentum<B>)},
+          {"kinetic_energy", of<B, I, V>(formulas::kinetic_energy<B>)},
+          {"inertia_matrix", of<B, I>(formulas::inertia_matrix<B>)}};
 }
 
 template <class B>
 Formulas<B> configurations() {
-  using Reader = conventions::Reader<B>;
-  const auto numbers = [](const auto&... values) { return stacked<B>(values...); };
-  const auto rotated = [=](Reader x) {
-    const Quaternion<B> Q = x.template take<4>();
-    return numbers(rotate(Q, x.template take<3>()));
-  };
-  const auto plus = [=](Reader x) {
-    const Vec7<B> q = x.template take<7>();
-    const IntegrateValue<B> v = oracles::integrate(q, x.template take<6>());
-    return numbers(v.p, v.Q);
-  };
-  const auto minus = [=](Reader x) {
-    const Vec7<B> q0 = x.template take<7>();
-    return numbers(oracles::difference(q0, x.template take<7>()).value());
-  };
-  const auto minus_by_q1 = [=](Reader x) {
-    const Vec7<B> q0 = x.template take<7>();
-    return numbers(oracles::d_difference_arg1(q0, x.template take<7>()).matrix());
-  };
+  using V4 = Quaternion<B>;
+  using V6 = Vec6<B>;
+  using V7 = Vec7<B>;
+  const auto rotated = of<B, V4, Vec3<B>>([](const V4& Q, const auto& x) { return rotate(Q, x); });
+  const auto plus = of<B, V7, V6>([](const V7& q, const V6& delta) {
+    const IntegrateValue<B> v = oracles::integrate(q, delta);
+    return std::pair(v.p, v.Q);
+  });
+  const auto minus = of<B, V7, V7>([](const V7& q0, const V7& q1) { return oracles::difference(q0, q1); });
+  const auto minus_by_q1 =
+      of<B, V7, V7>([](const V7& q0, const V7& q1) { return oracles::d_difference_arg1(q0, q1); });
   return {{"rotate_point", rotated},
           {"rotate_point_any_norm", rotated},
           {"integrate", plus},
@@ -185,31 +158,18 @@ Formulas<B> configurations() {
           {"difference", minus},
           {"difference_any_norm", minus},
           {"d_integrate_arg0",
-           [=](Reader x) {
-             const Vec7<B> q = x.template take<7>();
-             return numbers(oracles::d_integrate_arg0(q, x.template take<6>()).matrix());
-           }},
+           of<B, V7, V6>([](const V7& q, const V6& delta) { return oracles::d_integrate_arg0(q, delta); })},
           {"d_integrate_arg1",
-           [=](Reader x) {
-             const Vec7<B> q = x.template take<7>();
-             return numbers(oracles::d_integrate_arg1(q, x.template take<6>()).matrix());
-           }},
+           of<B, V7, V6>([](const V7& q, const V6& delta) { return oracles::d_integrate_arg1(q, delta); })},
           {"d_difference_arg0",
-           [=](Reader x) {
-             const Vec7<B> q0 = x.template take<7>();
-             return numbers(oracles::d_difference_arg0(q0, x.template take<7>()).matrix());
-           }},
+           of<B, V7, V7>([](const V7& q0, const V7& q1) { return oracles::d_difference_arg0(q0, q1); })},
           {"d_difference_arg1", minus_by_q1},
           {"d_difference_any_norm", minus_by_q1},
           {"integrate_coefficient_jacobian",
-           [=](Reader x) {
-             return numbers(oracles::integrate_coefficient_jacobian(x.template take<7>()).value);
-           }},
-          {"normalize", [=](Reader x) { return numbers(oracles::normalize(x.template take<4>()).value); }},
-          {"first_order_normalize",
-           [=](Reader x) { return numbers(oracles::first_order_normalize(x.template take<4>()).value); }},
-          {"quaternion_matrix",
-           [=](Reader x) { return numbers(oracles::quaternion_matrix(x.template take<4>()).value); }}};
+           of<B, V7>([](const V7& q) { return oracles::integrate_coefficient_jacobian(q); })},
+          {"normalize", of<B, V4>([](const V4& Q) { return oracles::normalize(Q); })},
+          {"first_order_normalize", of<B, V4>([](const V4& Q) { return oracles::first_order_normalize(Q); })},
+          {"quaternion_matrix", of<B, V4>([](const V4& Q) { return oracles::quaternion_matrix(Q); })}};
 }
 
 /// Euler angles [rad] of a rotation matrix, middle angle in (-pi/2, pi/2) or (0, pi), by its entries.
@@ -229,94 +189,62 @@ Vec3<Real> angles_of(const Order& order, const Mat3<Real>& R) {
       proper ? Real(atan2(Real(-sign * left(k)), left(j))) : Real(atan2(Real(sign * left(i)), left(j)));
   return {{Real(turn * a), b, Real(turn * c)}};
 }
+/// A rotation that turns u to v the shortest way; of opposite ones, about an axis perpendicular to u.
+Quaternion<> between(const Vec3<>& u, const Vec3<>& v) {
+  const Vec3<> from = Real(1 / norm(u)) * u, to = Real(1 / norm(v)) * v, n = cross(from, to);
+  const Real w(1 + dot(from, to));
+  if (w + norm(n) < Real(1e-40))  // opposite, but for rounding
+    return normalized(abs(u[0]) > abs(u[2]) ? Quaternion<>{{Real(-u[1]), u[0], Real(0), Real(0)}}
+                                            : Quaternion<>{{Real(0), Real(-u[2]), u[1], Real(0)}});
+  return normalized(Quaternion<>{{n[0], n[1], n[2], w}});
+}
 /// Between rotations and directions, Euler angles and rates: only in Real.
 Formulas<Real> orientations() {
-  using Reader = conventions::Reader<Real>;
-  const auto numbers = [](const auto&... values) { return stacked<Real>(values...); };
-  return {{"relative_angle",
-           [=](Reader x) {
-             const Quaternion<> Q0 = x.take<4>();
-             return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
-           }},
+  using V3 = Vec3<>;
+  using V4 = Quaternion<>;
+  using V7 = Vec7<>;
+  return {{"relative_angle", of<Real, V4, V4>([](const V4& Q0, const V4& Q1) {
+             return oracles::relative_angle(Q0, Q1).theta;
+           })},
           {"twist_angle",
-           [=](Reader x) {
-             const Quaternion<> Q = x.take<4>();
-             return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
-           }},
-          {"slerp",
-           [=](Reader x) {
-             const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
-             return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
-           }},
-          {"rotation_between",
-           [=](Reader x) {
-             const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
-                              to = Real(1 / norm(v)) * v, n = cross(from, to);
-             const Real w(1 + dot(from, to));
-             if (w + norm(n) < Real(1e-40))  // opposite, but for rounding: about any axis perpendicular to u
-               return numbers(normalized(abs(u[0]) > abs(u[2])
-                                             ? Quaternion<>{{Real(-u[1]), u[0], Real(0), Real(0)}}
-                                             : Quaternion<>{{Real(0), Real(-u[2]), u[1], Real(0)}}));
-             return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], w}}));
-           }},
-          {"euler_to_quaternion",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(euler(order, x.take<3>()).value);
-           }},
-          {"euler_to_matrix",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(rotation_matrix(euler(order, x.take<3>()).value));
-           }},
-          {"euler_from_quaternion",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
-           }},
-          {"euler_from_matrix",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(angles_of(order, x.take<3, 3>()));
-           }},
-          {"velocity_to_rate",
-           [=](Reader x) {
-             const Quaternion<> Q = quaternion_of(x.take<7>());
-             const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
-             return numbers(rotate(Q, u),
-                            Real(Real(1) / 2) *
-                                quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
-           }},
-          {"rate_to_velocity", [=](Reader x) {
-             const Quaternion<> Q = quaternion_of(x.take<7>());
-             const Vec3<Real> p_dot = x.take<3>();
-             return numbers(rotate(Q, p_dot, true),
-                            Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
-           }}};
+           of<Real, V4, V3>([](const V4& Q, const V3& axis) { return oracles::twist_angle(Q, axis).angle; })},
+          {"slerp", of<Real, V4, V4, Real>([](const V4& Q0, const V4& Q1, const Real& t) {
+             return oracles::slerp(Q0, Q1, t).Q;
+           })},
+          {"rotation_between", of<Real, V3, V3>(between)},
+          {"euler_to_quaternion", of<Real, Order, V3>(euler)},
+          {"euler_to_matrix", of<Real, Order, V3>([](const Order& order, const V3& angles) {
+             return rotation_matrix(euler(order, angles).value);
+           })},
+          {"euler_from_quaternion", of<Real, Order, V4>([](const Order& order, const V4& Q) {
+             return angles_of(order, rotation_matrix(normalized(Q)));
+           })},
+          {"euler_from_matrix", of<Real, Order, Mat3<>>(angles_of)},
+          {"velocity_to_rate", of<Real, V7, V3, V3>([](const V7& q, const V3& u, const V3& omega) {
+             const V4 Q = quaternion_of(q), turning{{omega[0], omega[1], omega[2], Real(0)}};
+             return std::pair(rotate(Q, u), V4(Real(Real(1) / 2) * quaternion_product(Q, turning)));
+           })},
+          {"rate_to_velocity", of<Real, V7, V3, V4>([](const V7& q, const V3& p_dot, const V4& Q_dot) {
+             const V4 Q = quaternion_of(q);
+             return std::pair(rotate(Q, p_dot, true),
+                              V3(Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, Q_dot))));
+           })}};
 }
 Formulas<Real> planar_poses() {
-  using Reader = conventions::Reader<Real>;
-  const auto numbers = [](const auto&... values) { return stacked<Real>(values...); };
-  const auto of_log = [=](const LogResult& log) { return numbers(log.rho[0], log.rho[1], log.phi[2]); };
-  return {{"se2_exp", [=](Reader x) { return numbers(planar_exp(x.take<3>()).value); }},
-          {"se2_log",
-           [=](Reader x) {
-             return of_log(planar_difference({{Real(0), Real(0), Real(1), Real(0)}}, x.take<4>()));
-           }},
-          {"se2_compose",
-           [=](Reader x) {
-             const PlanarPose q0 = x.take<4>();
-             return numbers(planar_compose(q0, x.take<4>()).value);
-           }},
-          {"se2_integrate",
-           [=](Reader x) {
-             const PlanarPose q0 = x.take<4>();
-             return numbers(planar_compose(q0, planar_exp(x.take<3>()).value).value);
-           }},
-          {"se2_difference", [=](Reader x) {
-             const PlanarPose q0 = x.take<4>();
-             return of_log(planar_difference(q0, x.take<4>()));
-           }}};
+  using V3 = Vec3<>;
+  using V4 = PlanarPose;
+  const auto of_log = [](const LogResult& log) { return V3{{log.rho[0], log.rho[1], log.phi[2]}}; };
+  return {{"se2_exp", of<Real, V3>(planar_exp)},
+          {"se2_log", of<Real, V4>([of_log](const V4& q) {
+             return of_log(planar_difference({{Real(0), Real(0), Real(1), Real(0)}}, q));
+           })},
+          {"se2_compose", of<Real, V4, V4>(planar_compose)},
+          {"se2_integrate", of<Real, V4, V3>([](const V4& q, const V3& delta) {
+             return planar_compose(q, planar_exp(delta).value);
+           })},
+          {"se2_difference", of<Real, V4, V4>([of_log](const V4& q0, const V4& q1) {
+             return of_log(planar_difference(q0, q1));
+           })}};
 }
 
 template <class B>
