@@ -18,28 +18,21 @@ double larger(double a, double b) {
   return std::fmax(a, b);
 }
 
-template <class S>
-Number norm(const S* x, int n) {
+template <class T>
+Number norm(const T* x, int n) {
   Number sum = 0;
   for (int i = 0; i < n; ++i) sum += Number(x[i]) * Number(x[i]);
   return std::sqrt(sum);
 }
 
-/// log2 of a size over the largest exponent of the scalar.
-template <class S>
-double scale_of(Number size) {
-  return static_cast<double>(std::log2(size)) / std::numeric_limits<S>::max_exponent;
-}
-
 /// The features of a body's rotational inertia I [3 x 3]; of several bodies, the smallest differences.
-template <class S>
-void add_body(Features& f, const S* I) {
+void add_body(Features& f, const double* I) {
   Eigen::Matrix3d M;
-  S largest = 0;
-  for (int i = 0; i < 9; ++i) largest = std::max(largest, S(std::fabs(I[i])));
-  f[F::point] = larger(f[F::point], largest == S(0));
-  if (largest == S(0)) return;
-  for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = static_cast<double>(I[i] / largest);
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::fabs(I[i]));
+  f[F::point] = larger(f[F::point], largest == 0);
+  if (largest == 0) return;
+  for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = I[i] / largest;
   const Eigen::Vector3d m =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M, Eigen::EigenvaluesOnly).eigenvalues();
   const auto lower = [&f](F feature, double value) { f[feature] = std::fmin(f[feature], value); };
@@ -49,25 +42,21 @@ void add_body(Features& f, const S* I) {
 }
 
 /// Sorts the numbers of one call's arguments into features.
-template <class S>
 class Sorter {
  public:
-  explicit Sorter(const Context& context) : floating_(context.floating), features_(context.features) {}
+  Sorter(const Scalar& scalar, const Context& context)
+      : scalar_(scalar), floating_(context.floating), features_(context.features) {}
 
-  void add(const Layout& layout, const S* x, std::size_t n) {
-    if (layout.parts.size() == 0) {  // a Seen
-      features_[F::seen] = static_cast<double>(x[0]);
-      return;
-    }
-    for (const Part& part : layout.parts) {
-      const int size = part.size > 0 ? part.size : static_cast<int>(n);
-      add(part, x, size);
-      x += size;
+  void add(const NumberFunction& f, const double* x) {
+    for (const Layout* layout : f.operation->arguments) {
+      if (layout->parts.size() == 0) features_[F::seen] = *x++;
+      for (const Part& part : layout->parts)
+        add(part, x, size_of(part, f.model)), x += size_of(part, f.model);
     }
   }
   Features result() {
     if (points_.size() == 2 && quaternions_.size() == 2) {
-      S between[3];
+      double between[3];
       for (int i = 0; i < 3; ++i) between[i] = points_[1][i] - points_[0][i];
       features_[F::apart] = static_cast<double>(norm(between, 3) / norm(points_[0], 3));
     }
@@ -88,10 +77,10 @@ class Sorter {
                    c = entry(0, 0) + entry(1, 1) + entry(2, 2) - 1;
       angle(std::atan2(s, c), std::atan2(s, -c));
     }
-    const S* const axis = phi_ ? phi_ : !quaternions_.empty() ? quaternions_[0] : vector_;
+    const double* const axis = phi_ ? phi_ : !quaternions_.empty() ? quaternions_[0] : vector_;
     if (axis) {
       int octant = 0, zeros = 0;
-      for (int i = 0; i < 3; ++i) octant += (axis[i] < S(0)) << i, zeros += axis[i] == S(0);
+      for (int i = 0; i < 3; ++i) octant += (axis[i] < 0) << i, zeros += axis[i] == 0;
       features_[F::octant] = octant, features_[F::zeros] = zeros;
     }
     return features_;
@@ -100,13 +89,15 @@ class Sorter {
  private:
   static Number squared(Number x) { return x * x; }
   Number entry(int i, int j) const { return Number(matrix_[3 * i + j]); }
+  /// log2 of a size over the largest exponent of the scalar.
+  double scale_of(Number size) const { return static_cast<double>(std::log2(size)) / scalar_.max_exponent; }
   void angle(Number theta, Number pi_minus_theta) {
     features_[F::theta] = static_cast<double>(theta);
-    features_[F::theta_scale] = scale_of<S>(theta);
+    features_[F::theta_scale] = scale_of(theta);
     features_[F::pi_minus_theta] = static_cast<double>(pi_minus_theta);
   }
   /// The angle of a* b.
-  void relative_angle(const S* a, const S* b) {
+  void relative_angle(const double* a, const double* b) {
     Number A[4], B[4];
     for (int i = 0; i < 4; ++i) A[i] = Number(a[i]), B[i] = Number(b[i]);
     Number v[3];
@@ -119,7 +110,7 @@ class Sorter {
   }
   void raise(F feature, double value) { features_[feature] = larger(features_[feature], value); }
 
-  void add(const Part& part, const S* x, int n) {
+  void add(const Part& part, const double* x, int n) {
     if (part.size < 0) {
       add_joints(part, x, n);
     } else if (n == 4) {
@@ -127,30 +118,29 @@ class Sorter {
     } else if (n == 9 && part.unit == "1") {
       add_matrix(x);
     } else if (n == 9) {
-      add_inertia(x);
+      add_body(features_, x);
     } else if (n == 3 && part.unit == "rad") {
       phi_ = x;
     } else if (n == 3) {
       if (!vector_) vector_ = x;
       if (part.unit == "m") points_.push_back(x);
       const bool speed = part.unit == "m/s" || part.unit == "rad/s";
-      raise(part.unit == "m" ? F::length : speed ? F::speed : F::force, scale_of<S>(norm(x, 3)));
+      raise(part.unit == "m" ? F::length : speed ? F::speed : F::force, scale_of(norm(x, 3)));
     } else if (part.unit == "kg") {
-      features_[F::mass] = scale_of<S>(std::fabs(Number(x[0])));
+      features_[F::mass] = scale_of(std::fabs(Number(x[0])));
     } else if (part.name == "wrench_joint") {
-      features_[F::wrench] = x[0] >= S(0);
+      features_[F::wrench] = x[0] >= 0;
     }
   }
-  void add_quaternion(const S* Q) {
-    if (quaternions_.empty()) features_[F::w] = static_cast<double>(Q[3]);
+  void add_quaternion(const double* Q) {
+    if (quaternions_.empty()) features_[F::w] = Q[3];
     quaternions_.push_back(Q);
     const Number size = norm(Q, 4);
-    const double defect =
-        static_cast<double>(std::fabs(squared(size) - 1) / std::numeric_limits<S>::epsilon());
+    const double defect = static_cast<double>(std::fabs(squared(size) - 1) / scalar_.epsilon);
     if (defect > 16 && !(defect < features_[F::off_unit])) features_[F::norm] = static_cast<double>(size);
     raise(F::off_unit, defect);
   }
-  void add_matrix(const S* R) {
+  void add_matrix(const double* R) {
     if (!matrix_) matrix_ = R;
     Number sum = 0;
     for (int i = 0; i < 3; ++i)
@@ -159,13 +149,12 @@ class Sorter {
         for (int k = 0; k < 3; ++k) product += Number(R[3 * k + i]) * Number(R[3 * k + j]);
         sum += product * product;
       }
-    raise(F::off_orthogonal, static_cast<double>(std::sqrt(sum) / std::numeric_limits<S>::epsilon()));
+    raise(F::off_orthogonal, static_cast<double>(std::sqrt(sum) / scalar_.epsilon));
   }
-  void add_inertia(const S* I) { add_body(features_, I); }
   /// A vector of a whole tree or robot.
-  void add_joints(const Part& part, const S* x, int n) {
+  void add_joints(const Part& part, const double* x, int n) {
     double largest = 0;
-    for (int i = 0; i < n; ++i) largest = std::max(largest, static_cast<double>(std::fabs(x[i])));
+    for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(x[i]));
     const bool increment = part.name == "delta", drive = part.name == "a" || part.name == "tau";
     raise(part.size == nq ? F::position : increment || part.name == "v" ? F::joint_speed : F::drive, largest);
     if (!floating_ || drive) return;
@@ -173,15 +162,15 @@ class Sorter {
     if (increment && n >= 6) phi_ = x + 3;
   }
 
+  const Scalar& scalar_;
   bool floating_;
   Features features_;
-  const S *phi_ = nullptr, *matrix_ = nullptr, *vector_ = nullptr;
-  std::vector<const S*> quaternions_, points_;
+  const double *phi_ = nullptr, *matrix_ = nullptr, *vector_ = nullptr;
+  std::vector<const double*> quaternions_, points_;
 };
 
 /// 0 for a chain, 1 for a star, 2 if all joints are on the world, else 3.
-template <class S>
-int shape_of(const Tree<S>& tree) {
+int shape_of(const Tree<double>& tree) {
   bool chain = true, star = true, world = true;
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const int parent = tree.joints[i].parent;
@@ -194,8 +183,7 @@ int shape_of(const Tree<S>& tree) {
 
 }  // namespace
 
-template <class S>
-Context context_of(const Tree<S>& tree) {
+Context context_of(const Tree<double>& tree) {
   Context context;
   Features& f = context.features;
   context.floating = !tree.joints.empty() && tree.joints[0].kind == oracles::JointKind::free_flyer;
@@ -206,9 +194,9 @@ Context context_of(const Tree<S>& tree) {
   for (const auto& j : tree.joints) {
     f.values[static_cast<std::size_t>(F::revolute) + static_cast<std::size_t>(j.kind)] += 1;
     if (j.primary >= 0) f[F::mimics] += 1;
-    if (j.armature > S(0)) f[F::armature] = 1;
-    lightest = std::min(lightest, static_cast<double>(j.body.mass));
-    heaviest = std::max(heaviest, static_cast<double>(j.body.mass));
+    if (j.armature > 0) f[F::armature] = 1;
+    lightest = std::min(lightest, j.body.mass);
+    heaviest = std::max(heaviest, j.body.mass);
     add_body(f, j.body.I_C.x.data());
   }
   f[F::mass_ratio] = heaviest / lightest;
@@ -216,21 +204,11 @@ Context context_of(const Tree<S>& tree) {
   return context;
 }
 
-template <class S>
-Features features_of(const Operation& operation, const CallNumbers<S>& arguments, const Context& context) {
-  Sorter<S> sorter(context);
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < operation.arguments.size(); ++i) {
-    const std::size_t end = arguments.ends.at(i);
-    sorter.add(*operation.arguments[i], arguments.all.data() + begin, end - begin);
-    begin = end;
-  }
+Features features_of(const NumberFunction& function, const std::vector<double>& arguments,
+                     const Context& context) {
+  Sorter sorter(*function.scalar, context);
+  sorter.add(function, arguments.data());
   return sorter.result();
 }
-
-template Context context_of(const Tree<float>&);
-template Context context_of(const Tree<double>&);
-template Features features_of(const Operation&, const CallNumbers<float>&, const Context&);
-template Features features_of(const Operation&, const CallNumbers<double>&, const Context&);
 
 }  // namespace liecheck::properties

@@ -35,16 +35,10 @@ bool any_failed(const std::vector<Judged>& judged) {
 
 }  // namespace
 
-template <class S>
-Lab<S>::Lab(const TypedSubject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed,
-            const Robot& robot, LawKinds kinds)
-    : triggers_(table),
-      seed_(seed),
-      watch_(table),
-      wrapped_(base.operations, {&watch_}),
-      subject_(erased(TypedSubject<S>{base.name, base.version, wrapped_.operations()})) {
-  const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
-  for (auto& law : make_properties(oracles::scalar_of<S>)) {
+Lab::Lab(const Subject& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
+         LawKinds kinds)
+    : triggers_(table), seed_(seed), watch_(table), subject_(watch_.watched(base)) {
+  for (auto& law : make_properties(*base.scalar)) {
     const bool of_trees = is_tree_law(law->name());
     if (!(of_trees ? kinds.trees : kinds.single) || !law->offered(subject_)) continue;
     LawRun& run = laws_.emplace_back();
@@ -55,13 +49,12 @@ Lab<S>::Lab(const TypedSubject<S>& base, const std::vector<Trigger>& table, std:
   if (laws_.empty()) throw std::invalid_argument("lattice: no law applies to subject " + base.name);
 }
 
-template <class S>
-std::vector<Judged> Lab<S>::run(const LawRun& law, std::uint64_t index) {
+std::vector<Judged> Lab::run(const LawRun& law, std::uint64_t index) {
   Source source(CaseId::key_of(law.key, index));
   const std::vector<double> x = law.series->tested_law().generate(source);
   std::vector<Judged> judged;
   const auto measure = [&] {
-    const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
+    const Watch::Active active(watch_);
     judged = law.series->measure_case(x, index);
   };
   if (index % second_thread_interval == second_thread_interval - 1)
@@ -71,8 +64,7 @@ std::vector<Judged> Lab<S>::run(const LawRun& law, std::uint64_t index) {
   return judged;
 }
 
-template <class S>
-void Lab<S>::scan_case(LawRun& law, std::uint64_t index) {
+void Lab::scan_case(LawRun& law, std::uint64_t index) {
   watch_.seen = [&](const Operation& operation, const Features& features) {
     std::vector<bool>& applies = applies_[&operation];
     applies.resize(triggers_.size());
@@ -92,8 +84,7 @@ void Lab<S>::scan_case(LawRun& law, std::uint64_t index) {
   watch_.seen = nullptr;
 }
 
-template <class S>
-bool Lab<S>::scan(std::uint64_t cases, const std::function<bool()>& stop) {
+bool Lab::scan(std::uint64_t cases, const std::function<bool()>& stop) {
   watch_.fault = nullptr;
   for (LawRun& law : laws_) {
     const std::uint64_t end = law.of_trees ? std::max(cases / 10, std::min(cases, first_cases)) : cases;
@@ -111,8 +102,7 @@ bool Lab<S>::scan(std::uint64_t cases, const std::function<bool()>& stop) {
   return true;
 }
 
-template <class S>
-Perturbation Lab<S>::drawn(const Operation& operation, std::size_t trigger) const {
+Perturbation Lab::drawn(const Operation& operation, std::size_t trigger) const {
   std::uint64_t word = 0xcbf29ce484222325;  // FNV-1a of the names
   for (const std::string& text : {subject_.name, std::string(operation.name), triggers_[trigger].name})
     for (const char c : text) word = (word ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -132,8 +122,7 @@ Perturbation Lab<S>::drawn(const Operation& operation, std::size_t trigger) cons
   return p;
 }
 
-template <class S>
-std::vector<Fault> Lab<S>::faults() const {
+std::vector<Fault> Lab::faults() const {
   std::vector<Fault> all;
   for (const Operation* operation : all_operations()) {
     const auto applies = applies_.find(operation);
@@ -157,9 +146,7 @@ std::vector<Fault> Lab<S>::faults() const {
   return all;
 }
 
-template <class S>
-bool Lab<S>::fails(const LawRun& law, std::uint64_t index, const Fault& fault, Trial& trial,
-                   std::string& by) {
+bool Lab::fails(const LawRun& law, std::uint64_t index, const Fault& fault, Trial& trial, std::string& by) {
   watch_.forget();
   watch_.fault = &fault;
   watch_.planted = false;
@@ -184,8 +171,7 @@ bool Lab<S>::fails(const LawRun& law, std::uint64_t index, const Fault& fault, T
   return false;
 }
 
-template <class S>
-double Lab<S>::share(const Fault& fault) const {
+double Lab::share(const Fault& fault) const {
   double share = 0;
   for (const LawRun& law : laws_) {
     const auto noted = law.noted.find({fault.operation, fault.trigger});
@@ -196,8 +182,7 @@ double Lab<S>::share(const Fault& fault) const {
   return share;
 }
 
-template <class S>
-FaultVerdict Lab<S>::judge(const Fault& fault) {
+FaultVerdict Lab::judge(const Fault& fault) {
   FaultVerdict verdict;
   verdict.share = share(fault);
   std::vector<std::pair<std::uint32_t, const LawRun*>> cases;
@@ -223,14 +208,10 @@ FaultVerdict Lab<S>::judge(const Fault& fault) {
   return verdict;
 }
 
-template <class S>
-double Lab<S>::failures_of_base() const {
+double Lab::failures_of_base() const {
   std::uint64_t cases = 0, failed = 0;
   for (const LawRun& law : laws_) cases += law.scanned, failed += law.failed;
   return cases > 0 ? static_cast<double>(failed) / static_cast<double>(cases) : 0;
 }
-
-template class Lab<float>;
-template class Lab<double>;
 
 }  // namespace liecheck::properties

@@ -36,11 +36,10 @@ struct LawKinds {
   bool single = true, trees = true;
 };
 
-template <class S>
 class Lab {
  public:
-  /// `base` and `table` must outlive the lab. Throws std::invalid_argument if no law applies to the base.
-  Lab(const TypedSubject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
+  /// `table` must outlive the lab. Throws std::invalid_argument if no law applies to the base.
+  Lab(const Subject& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
       LawKinds kinds = {});
   Lab(const Lab&) = delete;
   Lab& operator=(const Lab&) = delete;
@@ -73,7 +72,7 @@ class Lab {
     std::uint64_t scanned = 0, failed = 0;
     std::vector<bool> base_fails;
     std::map<std::pair<const Operation*, std::size_t>, Noted> noted;
-    std::vector<typename Watch<S>::Calls> calls_before;  ///< of the first cases
+    std::vector<Watch::Calls> calls_before;  ///< of the first cases
   };
   /// The state of one fault's trial.
   struct Trial {
@@ -89,14 +88,10 @@ class Lab {
 
   const std::vector<Trigger>& triggers_;
   std::uint64_t seed_;
-  Watch<S> watch_;
-  Wrapped<S, Watcher<S>> wrapped_;
+  Watch watch_;
   Subject subject_;
   std::vector<LawRun> laws_;
   std::map<const Operation*, std::vector<bool>> applies_;  ///< which triggers an operation's arguments admit
 };
-
-extern template class Lab<float>;
-extern template class Lab<double>;
 
 }  // namespace liecheck::properties

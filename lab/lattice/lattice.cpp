@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <lattice/verdict_file.hpp>
 #include <stdexcept>
+#include <support/names.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {
 
-template <class S>
-TypedSubject<S> subject_named(const std::string& name) {
-  if (name == "look-alikes") return look_alikes<S>();
+Subject subject_named(const std::string& name, const Scalar& scalar) {
+  if (name == "look-alikes") return look_alikes(scalar);
   std::string known = "look-alikes";
-  for (const TypedSubject<S>* s : typed_subjects<S>()) {
+  for (const Subject* s : subjects(scalar)) {
     if (s->name == name) return *s;
     if (s->name.find(':') == std::string::npos) known += ", " + s->name;
   }
@@ -24,14 +24,10 @@ TypedSubject<S> subject_named(const std::string& name) {
 /// The named operations. Throws std::invalid_argument for one that no subject can offer.
 std::vector<const Operation*> named(const std::vector<std::string>& names) {
   std::vector<const Operation*> all;
-  std::string known;
   SpatialSlots<double>::for_each([&](const Operation& o) { all.push_back(&o); });
   RobotOperations<double>::for_each([&](const Operation& o) { all.push_back(&o); });
   TreeOperations<double>::for_each([&](const Operation& o) { all.push_back(&o); });
-  for (const Operation* o : all) known += (known.empty() ? "" : ", ") + std::string(o->name);
-  for (const std::string& name : names)
-    if (std::none_of(all.begin(), all.end(), [&](auto* o) { return o->name == name; }))
-      throw std::invalid_argument(fmt::format("--operation: unknown operation '{}'; known: {}", name, known));
+  check_known(names, names_of(all, &Operation::name), "--operation", "operation");
   std::erase_if(all, [&](auto* o) {
     return !names.empty() && std::find(names.begin(), names.end(), o->name) == names.end();
   });
@@ -45,7 +41,6 @@ LawKinds laws_for(const std::vector<const Operation*>& operations) {
   return {trees<operations.size(), trees> 0};
 }
 
-template <class S>
 class Run {
  public:
   Run(const LatticeOptions& options, const Robot& robot)
@@ -55,7 +50,8 @@ class Run {
         file_(o_.resume, fmt::format("liecheck lab lattice, seed {}, {}", o_.seed, o_.scalar)),
         progress_("lattice") {
     result_.options = o_;
-    for (const std::string& name : o_.subjects) bases_.push_back(subject_named<S>(name));
+    for (const std::string& name : o_.subjects)
+      bases_.push_back(subject_named(name, oracles::scalar_named(o_.scalar)));
   }
 
   LatticeResult all() {
@@ -76,8 +72,8 @@ class Run {
   }
 
   void one_base() {
-    const TypedSubject<S>& base = bases_[base_];
-    Lab<S> lab(base, triggers(), o_.seed, robot_, laws_for(operations_));
+    const Subject& base = bases_[base_];
+    Lab lab(base, triggers(), o_.seed, robot_, laws_for(operations_));
     const auto stop_scan = [this] {
       show(0, "looking where triggers fire");
       return stop();
@@ -102,8 +98,7 @@ class Run {
       judge_rarer(lab, rarer, cases);
   }
 
-  void judge_rarer(Lab<S>& lab, const std::vector<std::pair<Fault, std::size_t>>& rarer,
-                   std::uint64_t cases) {
+  void judge_rarer(Lab& lab, const std::vector<std::pair<Fault, std::size_t>>& rarer, std::uint64_t cases) {
     const auto stop_scan = [this, cases] {
       show(0.5, fmt::format("rarer triggers in {} cases", cases));
       return stop();
@@ -124,7 +119,7 @@ class Run {
       if (before->judged >= cases || before->verdict.found == Found::found) row = *before;
     return row.judged >= cases || row.verdict.found == Found::found;
   }
-  void judge(Lab<S>& lab, const Fault& fault, LatticeRow& row, std::uint64_t cases) {
+  void judge(Lab& lab, const Fault& fault, LatticeRow& row, std::uint64_t cases) {
     if (known(row, cases)) return;
     row.verdict = lab.judge(fault);
     row.judged = cases;
@@ -132,7 +127,7 @@ class Run {
   }
 
   const Trigger& table_of(const Fault& fault) const { return triggers()[fault.trigger]; }
-  LatticeRow row_of(const TypedSubject<S>& base, const Fault& fault) const {
+  LatticeRow row_of(const Subject& base, const Fault& fault) const {
     const auto blocks = block_names(*fault.operation);
     const Trigger& trigger = table_of(fault);
     return {base.name,
@@ -145,7 +140,7 @@ class Run {
             0};
   }
   /// The faults of the selected operations in random order, or a sample of them.
-  std::vector<Fault> selected(const Lab<S>& lab) const {
+  std::vector<Fault> selected(const Lab& lab) const {
     std::vector<Fault> all = lab.faults();
     std::erase_if(all, [&](const Fault& f) {
       return std::find(operations_.begin(), operations_.end(), f.operation) == operations_.end() ||
@@ -164,30 +159,29 @@ class Run {
   VerdictFile file_;
   Progress progress_;
   LatticeResult result_;
-  std::vector<TypedSubject<S>> bases_;
+  std::vector<Subject> bases_;
   std::size_t base_ = 0;
   bool stopped_ = false;
 };
 
 }  // namespace
 
-template <class S>
-TypedSubject<S> look_alikes() {
-  TypedSubject<S> all;
-  for (const TypedSubject<S>* s : typed_subjects<S>())
-    if (s->name == "liecheck") all = *s;
-  const TypedOperations<S> good = all.operations;
-  all.name = "look-alikes";
-  for (const TypedSubject<S>* s : typed_subjects<S>())
-    if (s->name.rfind("alike:", 0) == 0)
-      SpatialSlots<S>::for_each([&](const auto& operation) {
-        if (s->operations[operation] != good[operation]) all.operations[operation] = s->operations[operation];
-      });
-  all.operations.robot = nullptr, all.operations.tree = nullptr;
-  return all;
+Subject look_alikes(const Scalar& scalar) {
+  return scalar.with([]<class S>() {
+    TypedSubject<S> all;
+    for (const TypedSubject<S>* s : typed_subjects<S>())
+      if (s->name == "liecheck") all = *s;
+    const TypedOperations<S> good = all.operations;
+    all.name = "look-alikes";
+    for (const TypedSubject<S>* s : typed_subjects<S>())
+      if (s->name.starts_with("alike:"))
+        SpatialSlots<S>::for_each([&](const auto& o) {
+          if (s->operations[o] != good[o]) all.operations[o] = s->operations[o];
+        });
+    all.operations.robot = nullptr, all.operations.tree = nullptr;
+    return erased(all);
+  });
 }
-template TypedSubject<float> look_alikes();
-template TypedSubject<double> look_alikes();
 
 std::size_t LatticeResult::common() const {
   return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const LatticeRow& r) {
@@ -201,8 +195,7 @@ std::size_t LatticeResult::common_found() const {
 }
 
 LatticeResult run_lattice(const LatticeOptions& options, const Robot& robot) {
-  if (options.scalar == "float") return Run<float>(options, robot).all();
-  return Run<double>(options, robot).all();
+  return Run(options, robot).all();
 }
 
 }  // namespace liecheck::properties

@@ -35,8 +35,7 @@ struct LatticeResult {
 };
 
 /// The subject with all look-alikes at once: a third correct implementation.
-template <class S>
-TypedSubject<S> look_alikes();
+Subject look_alikes(const Scalar& scalar);
 
 /// Runs the lattice. After stop_requested or after options.seconds it returns what was done. Throws
 /// std::invalid_argument for an unknown subject or operation, and std::runtime_error, which names file and

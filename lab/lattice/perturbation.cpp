@@ -50,25 +50,24 @@ std::string Perturbation::name() const {
   return word;
 }
 
-template <class S>
-void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>& blocks,
-                         std::vector<S> before) const {
+void Perturbation::apply(std::vector<double>& result, const oracles::Scalar& scalar,
+                         const std::vector<ResultBlock>& blocks, std::vector<double> before) const {
   const auto& [name, numbers, submatrix] = blocks[block % blocks.size()];
   if (numbers.empty()) return;
-  if (before.size() != result.size()) before.assign(result.size(), S(0));
+  if (before.size() != result.size()) before.assign(result.size(), 0);
   const std::size_t i = numbers[component % numbers.size()];
-  S& x = result[i];
+  double& x = result[i];
   switch (change) {
     case PlantedChange::size: {
-      S largest(0);
-      for (const std::size_t j : numbers) largest = std::max(largest, S(std::fabs(result[j])));
-      if (largest == S(0) && submatrix)  // relative to the whole matrix; other zeros stay zero
-        for (const S& y : result) largest = std::max(largest, S(std::fabs(y)));
-      x += largest * std::ldexp(std::numeric_limits<S>::epsilon(), k);
+      double largest = 0;
+      for (const std::size_t j : numbers) largest = std::max(largest, std::fabs(result[j]));
+      if (largest == 0 && submatrix)  // relative to the whole matrix; other zeros stay zero
+        for (const double y : result) largest = std::max(largest, std::fabs(y));
+      x = scalar.rounded(x + largest * std::ldexp(scalar.epsilon, k));
       return;
     }
     case PlantedChange::not_a_number:
-      x = std::numeric_limits<S>::quiet_NaN();
+      x = std::numeric_limits<double>::quiet_NaN();
       return;
     case PlantedChange::sign:
       x = -x;
@@ -77,7 +76,7 @@ void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>&
       for (const std::size_t j : numbers) result[j] = -result[j];
       return;
     case PlantedChange::zero:
-      x = S(0);
+      x = 0;
       return;
     case PlantedChange::swap:
       std::swap(x, result[numbers[other % numbers.size()]]);
@@ -93,10 +92,5 @@ void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>&
       return;
   }
 }
-
-template void Perturbation::apply(std::vector<float>&, const std::vector<ResultBlock>&,
-                                  std::vector<float>) const;
-template void Perturbation::apply(std::vector<double>&, const std::vector<ResultBlock>&,
-                                  std::vector<double>) const;
 
 }  // namespace liecheck::properties

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <operations/operations.hpp>
+#include <oracles/scalar.hpp>
 #include <string>
 #include <vector>
 
@@ -45,10 +46,10 @@ struct Perturbation {
   /// Whether it depends on the call before.
   bool remembers() const { return change == PlantedChange::stale || change == PlantedChange::unwritten; }
 
-  /// Changes the numbers of a result. `before` is the result of the call before of the same operation; if it
-  /// has another size, zeros take its place.
-  template <class S>
-  void apply(std::vector<S>& result, const std::vector<ResultBlock>& blocks, std::vector<S> before) const;
+  /// Changes the numbers of a result, which stay numbers of the scalar. `before` is the result of the call before of
+  /// the same operation; if it has another size, zeros take its place.
+  void apply(std::vector<double>& result, const oracles::Scalar& scalar,
+             const std::vector<ResultBlock>& blocks, std::vector<double> before) const;
 };
 
 }  // namespace liecheck::properties

@@ -94,6 +94,7 @@ class Series {
     ~Checking() { CallLog::current() = before_; }
     /// Gives the measurements of an operation that was called in vain its outcome.
     void judge(std::vector<Judged>& judged) const;
+    const CallLog& log() const { return log_; }
 
    private:
     const Series& series_;

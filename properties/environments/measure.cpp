@@ -9,7 +9,6 @@
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <mutex>
-#include <subjects/call_observer.hpp>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
 
@@ -23,14 +22,6 @@ struct InMode {
   InMode(const InMode&) = delete;
   InMode& operator=(const InMode&) = delete;
   ~InMode() { mode_of_calls = {}; }
-};
-
-/// The calls of this thread go to the observer while it exists.
-struct Observing {
-  explicit Observing(CallObserver& observer) { call_observer() = &observer; }
-  Observing(const Observing&) = delete;
-  Observing& operator=(const Observing&) = delete;
-  ~Observing() { call_observer() = nullptr; }
 };
 
 Verdict verdict_of(const Judged& j) {
@@ -49,15 +40,15 @@ Case measured(const Series& s, const CaseId& id) {
   c.small = std::ranges::any_of(x, [&](double number) { return is_small(s.format(), number); }),
   c.id = id.text();
   const std::hash<std::string> hash;
-  CallObserver observer = [&](const Operation& operation, const std::string& key, const std::string& result) {
-    c.calls.emplace_back(hash(std::string(operation.name) + key), hash(result));
-    const auto at = std::ranges::find(s.outputs, operation.name, &Output::operation);
-    c.call_operations.push_back(static_cast<std::uint16_t>(at - s.outputs.begin()));
-  };
-  const Observing observing(observer);
   const Series::Checking checking(s, true);
   std::vector<Judged> judged = s.measure(x);
   checking.judge(judged);
+  for (const CallLog::Noted& n : checking.log().results) {
+    c.calls.emplace_back(hash(std::string(n.operation->name) + n.arguments + static_cast<char>(n.tree)),
+                         hash(n.result));
+    const auto at = std::ranges::find(s.outputs, n.operation->name, &Output::operation);
+    c.call_operations.push_back(static_cast<std::uint16_t>(at - s.outputs.begin()));
+  }
   for (const Judged& j : judged) c.verdicts.push_back(verdict_of(j));
   return c;
 }

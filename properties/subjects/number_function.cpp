@@ -2,71 +2,95 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
+#include <exception>
 #include <subjects/call_log.hpp>
-#include <subjects/call_observer.hpp>
-#include <subjects/call_twice.hpp>
+#include <support/float_environment.hpp>
 
 namespace liecheck::properties {
 namespace {
 
-/// Room for some numbers, which lies on the stack if they are few. They are not set.
-template <class S>
+/// Room for some numbers or bytes, which lies on the stack if they are few. They are not set.
+template <class T, std::size_t few = 64>
 class Room {
  public:
-  explicit Room(std::size_t n) : more_(n > few ? n : 0) {}
-  S* data() { return more_.empty() ? few_ : more_.data(); }
+  explicit Room(std::size_t n) : more_(n > few ? n : 0), n_(n) {}
+  T* data() { return more_.empty() ? few_ : more_.data(); }
+  std::span<T> all() { return {data(), n_}; }
 
  private:
-  static constexpr std::size_t few = 64;
-  S few_[few];
-  std::vector<S> more_;
+  T few_[few];
+  std::vector<T> more_;
+  std::size_t n_;
 };
 
-/// Calls a function whose numbers have `size` bytes each, and notes in the log what is wrong with the call.
-void call_checked(CallLog& log, const NumberFunction& f, std::size_t size, std::span<std::byte> in,
-                  std::span<std::byte> out) {
+/// What fills the memory of the first and of the second result. As numbers both are finite and normal.
+constexpr std::byte first_pattern{0xa5}, second_pattern{0x5a};
+
+void compute(const NumberFunction& f, void* arguments, void* results) {
+  if (CallHook* const hook = call_hook())
+    (*hook)(f, arguments, results);
+  else
+    f.compute(arguments, results);
+}
+
+/// Makes both calls in the environment that mode_of_calls says. Returns whether one of them changed it.
+template <class First, class Second>
+bool call_twice(const First& first, const Second& second) {
+  const FloatEnvironment outside;
+  if (!mode_of_calls.is_usual()) FloatEnvironment::set(mode_of_calls);
+  const FloatEnvironment environment;
+  first();
+  const bool changed = environment.restore();
+  try {
+    second();
+  } catch (const std::exception&) {  // which the first call did not throw: there is no second result
+  }
+  return environment.restore() || changed;
+}
+
+/// Calls a function, and notes in the log what is wrong with the call.
+void call_checked(CallLog& log, const NumberFunction& f, std::span<std::byte> in, std::span<std::byte> out) {
   std::string given;
   if (log.keeps_results) {
     given.assign(reinterpret_cast<const char*>(in.data()), in.size());
     for (const CallLog::Noted& n : log.results)
       if (n.operation == f.operation && n.tree == f.tree && n.arguments == given)
-        return void(
-            std::memcpy(out.data(), static_cast<const std::string*>(n.result.get())->data(), out.size()));
+        return void(std::ranges::copy(std::as_bytes(std::span(n.result)), out.begin()));
   }
-  const std::vector<std::byte> before(in.begin(), in.end());
-  std::vector<std::byte> again = before, second(out.size());
+  Room<std::byte, 512> before(in.size()), again(in.size()), second(out.size());
+  std::ranges::copy(in, before.data()), std::ranges::copy(in, again.data());
   bool repeated = false;
-  const auto fill = [](std::span<std::byte> bytes, unsigned char pattern) {
-    std::ranges::fill(bytes, std::byte(pattern));
-  };
-  const bool changed = call_twice([&] { fill(out, first_pattern), f.compute(in.data(), out.data()); },
-                                  [&] {
-                                    fill(second, second_pattern), f.compute(again.data(), second.data());
-                                    repeated = true;
-                                  });
-  const auto keeps = [size](std::span<const std::byte> bytes, std::size_t at, unsigned char pattern) {
-    return std::ranges::all_of(bytes.subspan(at, size),
-                               [pattern](std::byte b) { return b == std::byte(pattern); });
+  const bool changed =
+      call_twice([&] { std::ranges::fill(out, first_pattern), compute(f, in.data(), out.data()); },
+                 [&] {
+                   std::ranges::fill(second.all(), second_pattern), compute(f, again.data(), second.data());
+                   repeated = true;
+                 });
+  const auto keeps = [&f](std::span<const std::byte> bytes, std::size_t at, std::byte pattern) {
+    return std::ranges::all_of(bytes.subspan(at, f.scalar->size),
+                               [pattern](std::byte b) { return b == pattern; });
   };
   bool unwritten = false;
-  for (std::size_t at = 0; at < out.size() && repeated && !unwritten; at += size)
-    unwritten = keeps(out, at, first_pattern) && keeps(second, at, second_pattern);
-  note(log, *f.operation,
-       {changed, unwritten, repeated && std::ranges::equal(out, second), std::ranges::equal(in, before)});
-  if (!log.keeps_results) return;
-  auto result = std::make_shared<const std::string>(reinterpret_cast<const char*>(out.data()), out.size());
-  if (CallObserver* const observer = call_observer())
-    (*observer)(*f.operation, given + static_cast<char>(f.tree), *result);
-  log.results.push_back({f.operation, f.tree, std::move(given), std::move(result)});
+  for (std::size_t at = 0; at < out.size() && repeated && !unwritten; at += f.scalar->size)
+    unwritten = keeps(out, at, first_pattern) && keeps(second.all(), at, second_pattern);
+  const auto found = [&](Outcome outcome) { log.findings.push_back({f.operation, outcome}); };
+  if (changed) found(Outcome::environment_changed);
+  if (unwritten)
+    found(Outcome::output_unwritten);
+  else if (!repeated || !std::ranges::equal(out, second.all()))
+    found(Outcome::not_repeatable);
+  if (!std::ranges::equal(in, before.all())) found(Outcome::argument_written);
+  if (log.keeps_results)
+    log.results.push_back(
+        {f.operation, f.tree, std::move(given), {reinterpret_cast<const char*>(out.data()), out.size()}});
 }
 
 template <class S>
 void call(const NumberFunction& f, std::span<S> in, std::span<S> out) {
   if (CallLog* const log = CallLog::current())
-    call_checked(*log, f, sizeof(S), std::as_writable_bytes(in), std::as_writable_bytes(out));
+    call_checked(*log, f, std::as_writable_bytes(in), std::as_writable_bytes(out));
   else
-    f.compute(in.data(), out.data());
+    compute(f, in.data(), out.data());
 }
 
 /// The conversions stand outside the call, which may flush subnormal numbers.
@@ -74,8 +98,8 @@ void call_in_scalar(const NumberFunction& f, std::span<double> in, std::span<dou
   if (!f.scalar->is_float()) return call(f, in, out);
   Room<float> rounded(in.size()), result(out.size());
   std::transform(in.begin(), in.end(), rounded.data(), [](double x) { return static_cast<float>(x); });
-  call(f, std::span(rounded.data(), in.size()), std::span(result.data(), out.size()));
-  std::copy_n(result.data(), out.size(), out.data());
+  call(f, rounded.all(), result.all());
+  std::ranges::copy(result.all(), out.begin());
 }
 
 /// Operations of one signature share this function.
@@ -88,7 +112,7 @@ void fill(std::function<R(const A&...)>& slot, NumberFunction f) {
     Room<double> in(n), out(m);
     double* to = in.data();
     (put_numbers(arguments, to), ...);
-    call_in_scalar(f, std::span(in.data(), n), std::span(out.data(), m));
+    call_in_scalar(f, in.all(), out.all());
     const double* from = out.data();
     return take_numbers<R>(from, *f.operation->results[0], f.model);
   };
@@ -120,9 +144,9 @@ CallLog*& CallLog::current() {
   return log;
 }
 
-CallObserver*& call_observer() {
-  thread_local CallObserver* observer = nullptr;
-  return observer;
+CallHook*& call_hook() {
+  thread_local CallHook* hook = nullptr;
+  return hook;
 }
 
 }  // namespace liecheck::properties

@@ -1,8 +1,8 @@
 #pragma once
-// A function of an adapter as numbers in and numbers out, as the C interface has it, and how the harness calls it: the
+// A function of a subject as numbers in and numbers out, as the C interface has it, and how the harness calls it: the
 // arguments are rounded to the scalar of the subject, the call is checked if the thread has a log (call_log.hpp), and the
-// result is exactly what the subject returned. Functions of the program's own subjects are called in their own types
-// (rounded_calls.cpp), which is up to a fifth faster for the cheapest laws.
+// result is exactly what the subject returned. Calls of the program's own subjects that are not checked take a shorter
+// way (rounded_calls.cpp), which is up to a fifth faster for the cheapest laws.
 
 #include <functional>
 #include <operations/numbers.hpp>
@@ -31,5 +31,10 @@ void fill_slots(TreeOperations<double>& slots, const FindFunction& find);
 
 /// The number of the tree that the case builds now, from 1; 0 if the thread has no log.
 int next_tree();
+
+/// What runs in the place of each `compute` on a thread that has one, in checked and other calls: to plant faults.
+using CallHook = std::function<void(const NumberFunction& function, void* arguments, void* results)>;
+/// The hook of this thread, or null.
+CallHook*& call_hook();
 
 }  // namespace liecheck::properties

@@ -2,11 +2,14 @@
 // Without the checks, such a case passes, or looks like a disagreement of the oracles.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <atomic>
 #include <campaign/series.hpp>
 #include <failures/description.hpp>
 #include <search/shrink.hpp>
+#include <subjects/number_function.hpp>
 #include <subjects/tree.hpp>
+#include <thread>
 
 #include "../campaigns.hpp"
 #include "../own_subject.hpp"
@@ -199,6 +202,23 @@ TEST(CallChecks, FindNothingInCorrectCallsOfAnyScalarAndLaw) {
         EXPECT_EQ(row.not_repeatable + row.argument_written + row.output_unwritten, 0u)
             << s.series->property << " " << s.series->subject << " " << scalar;
   }
+}
+
+TEST(CallHook, RunsInThePlaceOfEachCallOfItsThreadAlone) {
+  const auto all = subjects(oracles::scalar_of<double>);
+  const Operations& o = (*std::ranges::find(all, "liecheck", &Subject::name))->operations;
+  const V3 phi(0.1, 0.2, 0.3);
+  const V4 Q = o[op::exp3_quaternion](phi), shifted = Q + V4::Unit(0);
+  CallHook shift = [](const NumberFunction& f, void* arguments, void* results) {
+    EXPECT_TRUE(f.operation == &op::exp3_quaternion);
+    f.compute(arguments, results);
+    static_cast<double*>(results)[0] += 1;
+  };
+  call_hook() = &shift;
+  EXPECT_EQ(o[op::exp3_quaternion](phi), shifted);
+  std::thread([&] { EXPECT_EQ(o[op::exp3_quaternion](phi), Q); }).join();
+  call_hook() = nullptr;
+  EXPECT_EQ(o[op::exp3_quaternion](phi), Q);
 }
 
 }  // namespace
