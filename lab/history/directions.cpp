@@ -34,11 +34,7 @@ V4 about(const V3& axis, double angle) {
 
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> rotations_between() {
-  const auto row = [](const char* name, const char* library, const char* thread, const char* region,
-                      const char* symptom, const char* wrong, V4 (*faulty)(const V3&, const V3&)) {
-    return HistoricBug{
-        name, library, thread, region, symptom, wrong, forms(op::rotation_between, faulty, minimal)};
-  };
+  const auto row = rows_of(op::rotation_between, minimal);
   return {
       row("nalgebra_316", "nalgebra", "dimforge/nalgebra#316", "nearly equal directions", "NaN",
           "The angle was the acos of a dot product that rounding had carried above 1.",
@@ -109,10 +105,7 @@ V3 planar_difference(const V4& q0, const V4& q1) {
 }
 
 std::vector<HistoricBug> planar_poses() {
-  const auto of_exp = [](const char* name, const char* library, const char* thread, const char* region,
-                         const char* symptom, const char* wrong, V4 (*faulty)(const V3&)) {
-    return HistoricBug{name, library, thread, region, symptom, wrong, forms(op::se2_exp, faulty, planar_exp)};
-  };
+  const auto of_exp = rows_of(op::se2_exp, planar_exp);
   return {
       of_exp("gtsam_2043", "GTSAM before 2025-03", "borglab/gtsam#2043", "theta not small",
              "a stretched trajectory",

@@ -89,20 +89,8 @@ M3 matrix_of_angles(const double& order, const V3& x) {
   return matrix_of(product_of_turns(order, x));
 }
 
-using FromMatrix = V3 (*)(const double&, const M3&);
-using FromQuaternion = V3 (*)(const double&, const V4&);
-
 std::vector<HistoricBug> of_matrices() {
-  const auto row = [](const char* name, const char* library, const char* thread, const char* region,
-                      const char* symptom, const char* wrong, FromMatrix faulty) {
-    return HistoricBug{name,
-                       library,
-                       thread,
-                       region,
-                       symptom,
-                       wrong,
-                       forms(op::euler_from_matrix, faulty, by_half_sums_of_matrix)};
-  };
+  const auto row = rows_of(op::euler_from_matrix, by_half_sums_of_matrix);
   return {
       row("nalgebra_494", "nalgebra 0.16", "dimforge/nalgebra#494", "pitch near 90 degrees", "NaN",
           "The middle angle was the asin of an entry that rounding had carried above 1.",
@@ -142,28 +130,17 @@ std::vector<HistoricBug> of_matrices() {
             if (at_lock(order, R) && x[1] < 0) x[0] = -x[0], x[2] = -x[2];
             return x;
           }),
-      {"cglm_36", "cglm before 2018-03", "recp/cglm#36", "all", "another order",
-       "The rotations about the body's axes were multiplied in the order of static axes.",
-       forms(
-           op::euler_to_matrix,
-           [](const double& order, const V3& x) -> M3 {
-             return matrix_of_angles(std::fmod(order, 2) > 0 ? order - 1 : order + 1, x);
-           },
-           matrix_of_angles)},
+      rows_of(op::euler_to_matrix, matrix_of_angles)(
+          "cglm_36", "cglm before 2018-03", "recp/cglm#36", "all", "another order",
+          "The rotations about the body's axes were multiplied in the order of static axes.",
+          [](const double& order, const V3& x) -> M3 {
+            return matrix_of_angles(std::fmod(order, 2) > 0 ? order - 1 : order + 1, x);
+          }),
   };
 }
 
 std::vector<HistoricBug> of_quaternions() {
-  const auto row = [](const char* name, const char* library, const char* thread, const char* region,
-                      const char* symptom, const char* wrong, FromQuaternion faulty) {
-    return HistoricBug{name,
-                       library,
-                       thread,
-                       region,
-                       symptom,
-                       wrong,
-                       forms(op::euler_from_quaternion, faulty, by_half_sums)};
-  };
+  const auto row = rows_of(op::euler_from_quaternion, by_half_sums);
   return {
       row("kornia_3950", "kornia to 2026-08", "kornia/kornia#3950", "pitch = 90 degrees", "another rotation",
           "There was no branch for gimbal lock, so that roll and yaw were atan2 of two rounding errors.",

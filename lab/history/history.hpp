@@ -6,7 +6,9 @@
 //
 // A file of this folder adds rows with a static HistoryRows. No other file needs a change.
 
+#include <algorithm>
 #include <bugs/planted_bugs.hpp>
+#include <cmath>
 
 namespace liecheck::properties {
 
@@ -53,27 +55,44 @@ Forms forms(const Operation& operation, typename Operation::template Function<do
 }
 
 /// Both forms of an operation on a tree of bodies. A form takes the tree and liecheck's correct algorithms on
-/// it, and returns the function. `with` is another operation that a law needs beside this one.
+/// it, and returns the function.
 template <class Operation>
 using OnTree = std::function<typename Operation::template Function<double>(
     const Tree<double>& tree, const TreeOperations<double>& good)>;
 TreeOperations<double> correct_tree(const Tree<double>& tree);
 template <class Operation>
 Forms tree_forms(const Operation& operation, std::type_identity_t<OnTree<Operation>> faulty,
-                 std::type_identity_t<OnTree<Operation>> fixed,
-                 const liecheck::properties::Operation* with = nullptr) {
-  const auto plant = [&operation, with](auto form) {
-    return [&operation, with, form](TypedOperations<double>& o) {
-      o.tree = [&operation, with, form](const Tree<double>& tree) {
-        const TreeOperations<double> good = correct_tree(tree);
+                 std::type_identity_t<OnTree<Operation>> fixed) {
+  const auto plant = [&operation](auto form) {
+    return [&operation, form](TypedOperations<double>& o) {
+      o.tree = [&operation, form](const Tree<double>& tree) {
         TreeOperations<double> only;
-        if (with) only.take(*with, good);
-        only[operation] = form(tree, good);
+        only[operation] = form(tree, correct_tree(tree));
         return only;
       };
     };
   };
   return {std::string(operation.name), plant(faulty), plant(fixed)};
+}
+
+/// What makes the rows of one operation with one repaired form: row(name, library, thread, region, symptom, wrong, faulty).
+template <class Form, class MakeForms>
+auto rows_with(const MakeForms& make_forms) {
+  return [make_forms](const char* name, const char* library, const char* thread, const char* region,
+                      const char* symptom, const char* wrong, const Form& faulty) {
+    return HistoricBug{name, library, thread, region, symptom, wrong, make_forms(faulty)};
+  };
+}
+template <class Operation>
+auto rows_of(const Operation& operation, typename Operation::template Function<double> fixed) {
+  using Form = typename Operation::template Function<double>;
+  return rows_with<Form>([&operation, fixed](const Form& faulty) { return forms(operation, faulty, fixed); });
+}
+template <class Operation>
+auto tree_rows_of(const Operation& operation, std::type_identity_t<OnTree<Operation>> fixed) {
+  using Form = OnTree<Operation>;
+  return rows_with<Form>(
+      [&operation, fixed](const Form& faulty) { return tree_forms(operation, faulty, fixed); });
 }
 
 // Short names for the files of rows.
@@ -94,6 +113,10 @@ V4 quaternion_by_pivot(const M3& R);
 /// sin(theta)(n) of R = exp(theta [n]): half of the skew part.
 inline V3 skew_part(const M3& R) {
   return V3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) / 2;
+}
+/// theta of R by its trace.
+inline double clamped_angle(const M3& R) {
+  return std::acos(std::clamp((R.trace() - 1) / 2, -1., 1.));
 }
 inline V3 log_by_pivot(const M3& R) {
   return log_by_atan2(quaternion_by_pivot(R));

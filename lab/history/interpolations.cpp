@@ -27,11 +27,7 @@ V4 arc_as_stored(const V4& a, const V4& b, const double& t) {
 
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> interpolations() {
-  const auto row = [](const char* name, const char* library, const char* thread, const char* region,
-                      const char* symptom, const char* wrong,
-                      V4 (*faulty)(const V4&, const V4&, const double&)) {
-    return HistoricBug{name, library, thread, region, symptom, wrong, forms(op::slerp, faulty, shorter_arc)};
-  };
+  const auto row = rows_of(op::slerp, shorter_arc);
   return {
       row("threejs_14258", "three.js 0.92, 0.93", "mrdoob/three.js#14258", "angle < 2e-3", "0.5 for t = 0.1",
           "Where the sine of the half angle was below 0.001 the average was returned for every t.",
@@ -105,15 +101,8 @@ double twist(const V4& Q, const V3& axis) {
 }
 
 std::vector<HistoricBug> angles() {
-  const auto relative = [](const char* name, const char* library, const char* thread, const char* region,
-                           const char* symptom, const char* wrong, double (*faulty)(const V4&, const V4&)) {
-    return HistoricBug{
-        name, library, thread, region, symptom, wrong, forms(op::relative_angle, faulty, angle_of_product)};
-  };
-  const auto of_twist = [](const char* name, const char* library, const char* thread, const char* region,
-                           const char* symptom, const char* wrong, double (*faulty)(const V4&, const V3&)) {
-    return HistoricBug{name, library, thread, region, symptom, wrong, forms(op::twist_angle, faulty, twist)};
-  };
+  const auto relative = rows_of(op::relative_angle, angle_of_product);
+  const auto of_twist = rows_of(op::twist_angle, twist);
   return {
       relative(
           "geometry2_185", "tf2", "ros/geometry2#185", "Q0 . Q1 < 0", "the angle of the long way",

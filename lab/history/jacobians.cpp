@@ -144,58 +144,49 @@ M76 fixed_map(const V7& q) {
 }
 
 std::vector<HistoricBug> configurations() {
+  const auto of_integrate = rows_of(op::integrate, fixed);
+  const auto of_map = rows_of(op::integrate_coefficient_jacobian, fixed_map);
   return {
-      {"dart_122", "DART before PR 168", "dartsim/dart#122", "dq not parallel to q", "another orientation",
-       "The rotation vector of the increment was added to that of the orientation.",
-       forms(
-           op::integrate,
-           [](const V7& q, const V6& d) -> V7 {
-             const V3 phi = H::good()[op::log3_quaternion](H::rotation_of(q)) + H::low(d);
-             return with_rotation(good(q, d), H::good()[op::exp3_quaternion](phi));
-           },
-           fixed)},
-      {"dart_518", "DART before PR 518", "dartsim/dart#518", "theta near 180 degrees", "the motion reverses",
-       "Beyond a half turn the rotation vector went back the way it came.",
-       forms(
-           op::integrate,
-           [](const V7& q, const V6& d) -> V7 {
-             const V7 r = good(q, d);
-             const V4 Q = H::rotation_of(q)[3] < 0 ? V4(-H::rotation_of(q)) : H::rotation_of(q);
-             if (H::multiply(Q, H::good()[op::exp3_quaternion](H::low(d)))[3] >= 0) return r;
-             return with_rotation(r, H::multiply(Q, H::conjugate(H::good()[op::exp3_quaternion](H::low(d)))));
-           },
-           fixed)},
-      {"sofa_172", "SOFA", "sofa-framework/sofa#172", "|omega| h not small", "less than the angle",
-       "The increment was the Cayley map (1, phi/2) instead of the exponential.",
-       forms(
-           op::integrate,
-           [](const V7& q, const V6& d) -> V7 {
-             V4 Q;
-             Q << H::low(d) / 2, 1;
-             return with_rotation(good(q, d), H::multiply(H::rotation_of(q), Q).normalized());
-           },
-           fixed)},
-      {"drake_4121", "Drake before PR 4965", "RobotLocomotion/drake#4121", "all", "4 digits lost",
-       "The report gives the loss and not its cause: this form is the right map with an error of that size.",
-       forms(
-           op::integrate_coefficient_jacobian,
-           [](const V7& q) -> M76 {
-             M76 J = fixed_map(q);
-             J.bottomRightCorner<4, 3>() *= 1 + 0x1p-37;
-             return J;
-           },
-           fixed_map)},
-      {"drake_8177", "Drake before PR 8192", "RobotLocomotion/drake#8177", "all",
-       "a wrong map, hidden by integration tests", "N(q) took the angular velocity in the other frame.",
-       forms(
-           op::integrate_coefficient_jacobian,
-           [](const V7& q) -> M76 {
-             M76 J = fixed_map(q);
-             const V4 Q = H::rotation_of(q);
-             J.block<3, 3>(3, 3) = (Q[3] * M3::Identity() - hat(V3(Q.head<3>()))) / 2;
-             return J;
-           },
-           fixed_map)},
+      of_integrate("dart_122", "DART before PR 168", "dartsim/dart#122", "dq not parallel to q",
+                   "another orientation",
+                   "The rotation vector of the increment was added to that of the orientation.",
+                   [](const V7& q, const V6& d) -> V7 {
+                     const V3 phi = H::good()[op::log3_quaternion](H::rotation_of(q)) + H::low(d);
+                     return with_rotation(good(q, d), H::good()[op::exp3_quaternion](phi));
+                   }),
+      of_integrate("dart_518", "DART before PR 518", "dartsim/dart#518", "theta near 180 degrees",
+                   "the motion reverses", "Beyond a half turn the rotation vector went back the way it came.",
+                   [](const V7& q, const V6& d) -> V7 {
+                     const V7 r = good(q, d);
+                     const V4 Q = H::rotation_of(q)[3] < 0 ? V4(-H::rotation_of(q)) : H::rotation_of(q);
+                     if (H::multiply(Q, H::good()[op::exp3_quaternion](H::low(d)))[3] >= 0) return r;
+                     return with_rotation(
+                         r, H::multiply(Q, H::conjugate(H::good()[op::exp3_quaternion](H::low(d)))));
+                   }),
+      of_integrate("sofa_172", "SOFA", "sofa-framework/sofa#172", "|omega| h not small",
+                   "less than the angle",
+                   "The increment was the Cayley map (1, phi/2) instead of the exponential.",
+                   [](const V7& q, const V6& d) -> V7 {
+                     V4 Q;
+                     Q << H::low(d) / 2, 1;
+                     return with_rotation(good(q, d), H::multiply(H::rotation_of(q), Q).normalized());
+                   }),
+      of_map("drake_4121", "Drake before PR 4965", "RobotLocomotion/drake#4121", "all", "4 digits lost",
+             "The report gives the loss and not its cause: this form is the right map with an error of that "
+             "size.",
+             [](const V7& q) -> M76 {
+               M76 J = fixed_map(q);
+               J.bottomRightCorner<4, 3>() *= 1 + 0x1p-37;
+               return J;
+             }),
+      of_map("drake_8177", "Drake before PR 8192", "RobotLocomotion/drake#8177", "all",
+             "a wrong map, hidden by integration tests", "N(q) took the angular velocity in the other frame.",
+             [](const V7& q) -> M76 {
+               M76 J = fixed_map(q);
+               const V4 Q = H::rotation_of(q);
+               J.block<3, 3>(3, 3) = (Q[3] * M3::Identity() - hat(V3(Q.head<3>()))) / 2;
+               return J;
+             }),
   };
 }
 

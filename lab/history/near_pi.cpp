@@ -7,9 +7,6 @@
 namespace liecheck::properties::history {
 namespace {
 
-double clamped_angle(const M3& R) {
-  return std::acos(std::clamp((R.trace() - 1) / 2, -1., 1.));
-}
 /// The axis of a half turn with the given signs: roots of (R_ii + 1)/2.
 V3 roots_of_diagonal(const M3& R, const V3& signs) {
   return ((R.diagonal().array() + 1) / 2).max(0).sqrt().matrix().cwiseProduct(signs);
@@ -20,11 +17,7 @@ V3 signs_of(const V3& a) {
 
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> logarithms() {
-  constexpr auto fixed = [](const M3& R) -> V3 { return log_by_pivot(R); };
-  const auto row = [&](const char* name, const char* library, const char* thread, const char* region,
-                       const char* symptom, const char* wrong, V3 (*faulty)(const M3&)) {
-    return HistoricBug{name, library, thread, region, symptom, wrong, forms(op::log3_matrix, faulty, fixed)};
-  };
+  const auto row = rows_of(op::log3_matrix, log_by_pivot);
   return {
       row("gtsam_1233", "GTSAM 4.2a7 to 2026-08", "borglab/gtsam#1233", "tr R + 1 < 1e-3",
           "2.3e-4 relative, a jump",

@@ -134,31 +134,30 @@ M3 symmetric(const M3& M) {
 }
 
 std::vector<HistoricBug> bodies() {
-  constexpr auto fixed_matrix = [](const B& I) -> M6 { return spatial_matrix(I, about_origin(I, 1)); };
-  constexpr auto fixed_move = [](const P& X, const B& I) -> B {
+  const auto of_matrix =
+      rows_of(op::inertia_matrix, [](const B& I) -> M6 { return spatial_matrix(I, about_origin(I, 1)); });
+  const auto of_move = rows_of(op::act_inertia, [](const P& X, const B& I) -> B {
     return {I.mass, X.R * I.c + X.p, symmetric(X.R * I.I_C * X.R.transpose())};
-  };
+  });
   return {
-      {"pyb_sim_models_4", "pyb-sim-models", "utiasSTARS/pyb-sim-models#4", "c != 0", "a negative inertia",
-       "The term of the parallel axis theorem had the wrong sign, since [c]^T = -[c].",
-       forms(
-           op::inertia_matrix, [](const B& I) -> M6 { return spatial_matrix(I, about_origin(I, -1)); },
-           fixed_matrix)},
-      {"solidworks_117", "solidworks_urdf_exporter", "ros/solidworks_urdf_exporter#117", "c != 0",
-       "a wrong inertia",
-       "The parallel axis theorem was not applied: the inertia about the centre was taken for that about the "
-       "origin.",
-       forms(
-           op::inertia_matrix, [](const B& I) -> M6 { return spatial_matrix(I, I.I_C); }, fixed_matrix)},
-      {"jsk_aerial_155", "jsk_aerial_robot", "jsk-ros-pkg/jsk_aerial_robot#155", "c != 0", "m c^2 too much",
-       "The inertia of the CAD program, about the link's origin, was written where URDF has that about the "
-       "centre.",
-       forms(
-           op::inertia_matrix,
-           [](const B& I) -> M6 {
-             return spatial_matrix(I, about_origin({I.mass, I.c, about_origin(I, 1)}, 1));
-           },
-           fixed_matrix)},
+      of_matrix("pyb_sim_models_4", "pyb-sim-models", "utiasSTARS/pyb-sim-models#4", "c != 0",
+                "a negative inertia",
+                "The term of the parallel axis theorem had the wrong sign, since [c]^T = -[c].",
+                [](const B& I) -> M6 { return spatial_matrix(I, about_origin(I, -1)); }),
+      of_matrix("solidworks_117", "solidworks_urdf_exporter", "ros/solidworks_urdf_exporter#117", "c != 0",
+                "a wrong inertia",
+                "The parallel axis theorem was not applied: the inertia about the centre was taken for that "
+                "about the "
+                "origin.",
+                [](const B& I) -> M6 { return spatial_matrix(I, I.I_C); }),
+      of_matrix("jsk_aerial_155", "jsk_aerial_robot", "jsk-ros-pkg/jsk_aerial_robot#155", "c != 0",
+                "m c^2 too much",
+                "The inertia of the CAD program, about the link's origin, was written where URDF has that "
+                "about the "
+                "centre.",
+                [](const B& I) -> M6 {
+                  return spatial_matrix(I, about_origin({I.mass, I.c, about_origin(I, 1)}, 1));
+                }),
       {"avian_745", "Avian", "avianphysics/avian#745", "I_C not diagonal", "a wrong angular momentum",
        "The gyroscopic torque used only the diagonal of the inertia.",
        forms(
@@ -171,23 +170,17 @@ std::vector<HistoricBug> bodies() {
              const V3 w = H::low(V), f = I.mass * (H::top(V) + w.cross(I.c));
              return H::stack(f, V3(I.I_C * w) + I.c.cross(f));
            })},
-      {"mujoco_3559", "MuJoCo 3.3.7 and 3.12.0", "google-deepmind/mujoco#3559", "rpy of <inertial> != 0",
-       "diag(1, 2, 2.5) instead of diag(2, 1, 2.5)",
-       "The rotation of the inertial frame was lost when a URDF is read.",
-       forms(
-           op::act_inertia,
-           [](const P& X, const B& I) -> B {
-             return {I.mass, X.R * I.c + X.p, I.I_C};
-           },
-           fixed_move)},
-      {"onshape_to_robot_85", "onshape-to-robot", "Rhoban/onshape-to-robot#85", "rotated parts", "R^T I R",
-       "The inertia of a part was rotated backwards.",
-       forms(
-           op::act_inertia,
-           [](const P& X, const B& I) -> B {
-             return {I.mass, X.R * I.c + X.p, symmetric(X.R.transpose() * I.I_C * X.R)};
-           },
-           fixed_move)},
+      of_move("mujoco_3559", "MuJoCo 3.3.7 and 3.12.0", "google-deepmind/mujoco#3559",
+              "rpy of <inertial> != 0", "diag(1, 2, 2.5) instead of diag(2, 1, 2.5)",
+              "The rotation of the inertial frame was lost when a URDF is read.",
+              [](const P& X, const B& I) -> B {
+                return {I.mass, X.R * I.c + X.p, I.I_C};
+              }),
+      of_move("onshape_to_robot_85", "onshape-to-robot", "Rhoban/onshape-to-robot#85", "rotated parts",
+              "R^T I R", "The inertia of a part was rotated backwards.",
+              [](const P& X, const B& I) -> B {
+                return {I.mass, X.R * I.c + X.p, symmetric(X.R.transpose() * I.I_C * X.R)};
+              }),
   };
 }
 

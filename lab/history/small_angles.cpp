@@ -147,11 +147,7 @@ std::vector<HistoricBug> exponentials() {
 /// Rows in which only the angle of a logarithm was wrong. The repaired angle is 2 atan2 of a pivot's quaternion.
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> logarithms_of_matrices() {
-  constexpr auto fixed = [](const M3& R) -> V3 { return log_by_pivot(R); };
-  const auto row = [&](const char* name, const char* library, const char* thread, const char* region,
-                       const char* symptom, const char* wrong, V3 (*faulty)(const M3&)) {
-    return HistoricBug{name, library, thread, region, symptom, wrong, forms(op::log3_matrix, faulty, fixed)};
-  };
+  const auto row = rows_of(op::log3_matrix, log_by_pivot);
   return {
       {"gtsam_746", "GTSAM before f47d7737f", "borglab/gtsam#746", "3 - tr R < 1e-7", "8 digits lost",
        "The series of theta/(2 sin theta) in tr R - 3 squared its first-order term.",
@@ -189,16 +185,13 @@ std::vector<HistoricBug> logarithms_of_matrices() {
       row("evo_216", "evo before PR 231", "MichaelGrupp/evo#216", "theta < 1e-4", "unstable angle",
           "The angle was acos((tr R - 1)/2), clamped to [-1, 1], which cancels near 0.",
           [](const M3& R) -> V3 {
-            return near_half_turn(R)
-                       ? H::good()[op::log3_matrix](R)
-                       : along_skew_part(R, std::acos(std::clamp((R.trace() - 1) / 2, -1., 1.)));
+            return near_half_turn(R) ? H::good()[op::log3_matrix](R) : along_skew_part(R, clamped_angle(R));
           }),
       row("ssik_199", "ssik", "personalrobotics/ssik#199", "theta < 3e-8", "0 instead of theta",
           "An angle by acos of the trace that is below 1e-9 was taken for zero, which hides angles below "
           "3e-8.",
           [](const M3& R) -> V3 {
-            const double t = std::acos(std::clamp((R.trace() - 1) / 2, -1., 1.));
-            return t < 1e-9 ? V3::Zero() : H::good()[op::log3_matrix](R);
+            return clamped_angle(R) < 1e-9 ? V3::Zero() : H::good()[op::log3_matrix](R);
           }),
       row("glm_638", "GLM before 0.9.9", "g-truc/glm#638", "tr R near and above 3", "NaN",
           "axisAngle took acos of a cosine above 1, while the axis came out right.",
@@ -212,8 +205,7 @@ std::vector<HistoricBug> logarithms_of_matrices() {
           "The angle came from arccos on its whole range, with the axis from the skew part.",
           [](const M3& R) -> V3 {
             const V3 right = H::good()[op::log3_matrix](R);
-            const double t = std::acos(std::clamp((R.trace() - 1) / 2, -1., 1.));
-            return right.isZero(0) ? right : V3(t * right.stableNormalized());
+            return right.isZero(0) ? right : V3(clamped_angle(R) * right.stableNormalized());
           }),
       row("scikit_kinematics_13", "scikit-kinematics", "thomas-haslwanter/scikit-kinematics#13",
           "near 0 and axes", "NaN",
@@ -243,12 +235,7 @@ std::vector<HistoricBug> logarithms_of_matrices() {
 
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> logarithms_of_quaternions() {
-  constexpr auto fixed = [](const V4& Q) -> V3 { return log_by_atan2(Q); };
-  const auto row = [&](const char* name, const char* library, const char* thread, const char* region,
-                       const char* symptom, const char* wrong, V3 (*faulty)(const V4&)) {
-    return HistoricBug{
-        name, library, thread, region, symptom, wrong, forms(op::log3_quaternion, faulty, fixed)};
-  };
+  const auto row = rows_of(op::log3_quaternion, log_by_atan2);
   return {
       {"sophus_238", "Sophus before d63ad091", "strasdat/Sophus#238", "|v| < 1e-10",
        "1e-20, which no double shows",

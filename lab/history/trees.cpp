@@ -51,77 +51,62 @@ const auto fixed_rnea = [](const T&, const TO& good) {
     return inverse_dynamics(good, q, v, a, i, F);
   };
 };
-const auto fixed_crba = [](const T&, const TO& good) {  // M e_k = rnea(e_k) - g, made symmetric
-  return [good](const X& q) -> M { return good[op::tree_crba](q); };
-};
-const auto fixed_jacobian = [](const T&, const TO& good) {
-  return [good](const X& q, Seen s) -> M { return good[op::frame_jacobian](q, s); };
-};
 
 // Longer than 80 lines: a list of independent rows.
 std::vector<HistoricBug> dynamics() {
+  const auto row = tree_rows_of(op::tree_rnea, fixed_rnea);
   return {
-      {"dart_1450", "DART 6.3.0", "dartsim/dart#1450", "damping != 0", "f != ID(FD(f))",
-       "Inverse dynamics added damping times acceleration times the time step.",
-       tree_forms(
-           op::tree_rnea,
-           [](const T&, const TO& good) {
-             return [good](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
-               return inverse_dynamics(good, q, v, a, i, F) +
-                      1e-3 * good[op::tree_crba](q).diagonal().cwiseProduct(a);
-             };
-           },
-           fixed_rnea)},
-      {"jaxsim_13", "JaxSim", "gbionics/jaxsim#13", "omega of the base != 0", "wrong torques",
-       "With mixed velocities the base's acceleration was used without the term omega x v.",
-       tree_forms(
-           op::tree_rnea,
-           [](const T& tree, const TO& good) {
-             return [good, base = base(tree)](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
-               X mixed = a;
-               if (base == 0) mixed.head<3>() += V3(v.segment<3>(3)).cross(V3(v.head<3>()));
-               return inverse_dynamics(good, q, v, mixed, i, F);
-             };
-           },
-           fixed_rnea)},
-      {"auralius_2", "inverse-dynamics-rne", "auralius/inverse-dynamics-rne#2", "bodies after the first",
-       "a wrong gyroscopic torque", "The gyroscopic term of every body used the angular velocity of body 1.",
-       tree_forms(
-           op::tree_rnea,
-           [](const T& tree, const TO& good) {
-             std::vector<TO> frames;
-             std::vector<M3> I;
-             for (std::size_t i = 0; i < tree.joints.size(); ++i) {
-               frames.push_back(with_frame_at(tree, static_cast<int>(i)));
-               I.push_back(matrix_of(tree.joints[i].body.I_C));
-             }
-             return [good, frames, I](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
-               X tau = inverse_dynamics(good, q, v, a, i, F);
-               const X none = X::Zero(a.size()), rest = good[op::tree_gravity](q);
-               V3 first = V3::Zero();
-               for (std::size_t k = 0; k < frames.size(); ++k) {
-                 const V3 w = frames[k][op::frame_velocity](q, v, Seen::local).tail<3>();
-                 if (k == 0) first = w;
-                 const V6 less = H::stack(V3::Zero(), w.cross(I[k] * (w - first)));
-                 tau += good[op::tree_rnea](q, none, none, static_cast<int>(k), less) - rest;
-               }
-               return tau;
-             };
-           },
-           fixed_rnea)},
-      {"drake_2201", "Drake", "RobotLocomotion/drake#2201", "a != 0", "wrong torques",
-       "Inverse dynamics was wrong for accelerations other than zero: those behind the first joint got lost.",
-       tree_forms(
-           op::tree_rnea,
-           [](const T& tree, const TO& good) {
-             return [good, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
-                                                                   const V6& F) -> X {
-               X first = X::Zero(a.size());
-               first.head(n) = a.head(n);
-               return inverse_dynamics(good, q, v, first, i, F);
-             };
-           },
-           fixed_rnea)},
+      row("dart_1450", "DART 6.3.0", "dartsim/dart#1450", "damping != 0", "f != ID(FD(f))",
+          "Inverse dynamics added damping times acceleration times the time step.",
+          [](const T&, const TO& good) {
+            return [good](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+              return inverse_dynamics(good, q, v, a, i, F) +
+                     1e-3 * good[op::tree_crba](q).diagonal().cwiseProduct(a);
+            };
+          }),
+      row("jaxsim_13", "JaxSim", "gbionics/jaxsim#13", "omega of the base != 0", "wrong torques",
+          "With mixed velocities the base's acceleration was used without the term omega x v.",
+          [](const T& tree, const TO& good) {
+            return [good, base = base(tree)](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+              X mixed = a;
+              if (base == 0) mixed.head<3>() += V3(v.segment<3>(3)).cross(V3(v.head<3>()));
+              return inverse_dynamics(good, q, v, mixed, i, F);
+            };
+          }),
+      row("auralius_2", "inverse-dynamics-rne", "auralius/inverse-dynamics-rne#2", "bodies after the first",
+          "a wrong gyroscopic torque",
+          "The gyroscopic term of every body used the angular velocity of body 1.",
+          [](const T& tree, const TO& good) {
+            std::vector<TO> frames;
+            std::vector<M3> I;
+            for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+              frames.push_back(with_frame_at(tree, static_cast<int>(i)));
+              I.push_back(matrix_of(tree.joints[i].body.I_C));
+            }
+            return [good, frames, I](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+              X tau = inverse_dynamics(good, q, v, a, i, F);
+              const X none = X::Zero(a.size()), rest = good[op::tree_gravity](q);
+              V3 first = V3::Zero();
+              for (std::size_t k = 0; k < frames.size(); ++k) {
+                const V3 w = frames[k][op::frame_velocity](q, v, Seen::local).tail<3>();
+                if (k == 0) first = w;
+                const V6 less = H::stack(V3::Zero(), w.cross(I[k] * (w - first)));
+                tau += good[op::tree_rnea](q, none, none, static_cast<int>(k), less) - rest;
+              }
+              return tau;
+            };
+          }),
+      row("drake_2201", "Drake", "RobotLocomotion/drake#2201", "a != 0", "wrong torques",
+          "Inverse dynamics was wrong for accelerations other than zero: those behind the first joint got "
+          "lost.",
+          [](const T& tree, const TO& good) {
+            return [good, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
+                                                                  const V6& F) -> X {
+              X first = X::Zero(a.size());
+              first.head(n) = a.head(n);
+              return inverse_dynamics(good, q, v, first, i, F);
+            };
+          }),
       {"idyntree_81", "iDynTree before 0.3.8", "gbionics/idyntree#81", "gravity != 0",
        "wrong gravity torques", "Gravity became the proper acceleration of the base with the wrong sign.",
        tree_forms(
@@ -144,114 +129,96 @@ std::vector<HistoricBug> dynamics() {
                return {by_q, -by_v};
              };
            },
-           [](const T&, const TO& good) {
-             return [good](const X& q, const X& v, const X& a, int i, const V6& F) -> std::pair<M, M> {
-               return good[op::rnea_derivatives](q, v, a, i, F);
-             };
-           })},
+           [](const T&, const TO& good) { return good[op::rnea_derivatives]; })},
   };
 }
 
 std::vector<HistoricBug> mass_matrices() {
+  const auto row = tree_rows_of(op::tree_crba, [](const T&, const TO& good) { return good[op::tree_crba]; });
   return {
-      {"idyntree_1276", "iDynTree", "gbionics/idyntree#1276", "spherical joints", "zeros in a diagonal block",
-       "The off-diagonal terms within the block of one spherical joint were not computed.",
-       tree_forms(
-           op::tree_crba,
-           [](const T& tree, const TO& good) {
-             return [good, tree](const X& q) -> M {
-               M A = good[op::tree_crba](q);
-               for (std::size_t i = 0; i < tree.joints.size(); ++i)
-                 if (tree.joints[i].kind == JointKind::spherical) {
-                   auto block = A.block<3, 3>(tree.idx_v[i], tree.idx_v[i]);
-                   block = M3(block.diagonal().asDiagonal());
-                 }
-               return A;
-             };
-           },
-           fixed_crba)},
-      {"choreonoid_26", "Choreonoid", "choreonoid/choreonoid#26", "rotor inertia != 0", "rotor inertia twice",
-       "The inverse dynamics that builds the columns had added the rotor inertia already.",
-       tree_forms(
-           op::tree_crba,
-           [](const T& tree, const TO& good) {
-             return [good, tree](const X& q) -> M {
-               M A = good[op::tree_crba](q);
-               oracles::for_each_armature(tree, [&](std::size_t k, double m) {
-                 A(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) += m;
-               });
-               return A;
-             };
-           },
-           fixed_crba)},
-      {"urdf2casadi_2", "urdf2casadi", "mahaarbo/urdf2casadi#2", "ixy, ixz, iyz != 0", "another mass matrix",
-       "The products of inertia were put into the tensor with the wrong sign.",
-       tree_forms(
-           op::tree_crba,
-           [](const T& tree, const TO&) {
-             T flipped = tree;
-             for (auto& j : flipped.joints) {
-               M3 I = -matrix_of(j.body.I_C);
-               I.diagonal() *= -1;
-               set(j.body.I_C, I);
-             }
-             return [o = correct_tree(flipped)](const X& q) -> M { return o[op::tree_crba](q); };
-           },
-           fixed_crba)},
+      row("idyntree_1276", "iDynTree", "gbionics/idyntree#1276", "spherical joints",
+          "zeros in a diagonal block",
+          "The off-diagonal terms within the block of one spherical joint were not computed.",
+          [](const T& tree, const TO& good) {
+            return [good, tree](const X& q) -> M {
+              M A = good[op::tree_crba](q);
+              for (std::size_t i = 0; i < tree.joints.size(); ++i)
+                if (tree.joints[i].kind == JointKind::spherical) {
+                  auto block = A.block<3, 3>(tree.idx_v[i], tree.idx_v[i]);
+                  block = M3(block.diagonal().asDiagonal());
+                }
+              return A;
+            };
+          }),
+      row("choreonoid_26", "Choreonoid", "choreonoid/choreonoid#26", "rotor inertia != 0",
+          "rotor inertia twice",
+          "The inverse dynamics that builds the columns had added the rotor inertia already.",
+          [](const T& tree, const TO& good) {
+            return [good, tree](const X& q) -> M {
+              M A = good[op::tree_crba](q);
+              oracles::for_each_armature(tree, [&](std::size_t k, double m) {
+                A(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) += m;
+              });
+              return A;
+            };
+          }),
+      row("urdf2casadi_2", "urdf2casadi", "mahaarbo/urdf2casadi#2", "ixy, ixz, iyz != 0",
+          "another mass matrix", "The products of inertia were put into the tensor with the wrong sign.",
+          [](const T& tree, const TO&) {
+            T flipped = tree;
+            for (auto& j : flipped.joints) {
+              M3 I = -matrix_of(j.body.I_C);
+              I.diagonal() *= -1;
+              set(j.body.I_C, I);
+            }
+            return correct_tree(flipped)[op::tree_crba];
+          }),
   };
 }
 
 /// The Jacobian with the base's angular columns about another point.
 std::vector<HistoricBug> jacobians() {
+  const auto row =
+      tree_rows_of(op::frame_jacobian, [](const T&, const TO& good) { return good[op::frame_jacobian]; });
   return {
-      {"dart_1657", "DART 6.12.1", "dartsim/dart#1657", "a free joint with offset frames",
-       "a wrong world Jacobian", "The world Jacobian of a free joint lacked the lever of its offset frames.",
-       tree_forms(
-           op::frame_jacobian,
-           [](const T& tree, const TO& good) {
-             return [good, tree](const X& q, Seen s) -> M {
-               M J = good[op::frame_jacobian](q, s);
-               if (base(tree) == 0 && s == Seen::world)
-                 J.block<3, 3>(0, 3) -= hat(vector_of(tree.joints[0].p)) * J.block<3, 3>(3, 3);
-               return J;
-             };
-           },
-           fixed_jacobian)},
-      {"newton_3866", "Newton 1.5.0", "newton-physics/newton#3866", "a base far from the origin",
-       "1 per metre", "The base's angular columns were taken about the world's origin instead of the base.",
-       tree_forms(
-           op::frame_jacobian,
-           [](const T& tree, const TO& good) {
-             return [good, origin = with_frame_at(tree, 0), free = base(tree) == 0](const X& q, Seen s) -> M {
-               M J = good[op::frame_jacobian](q, s);
-               if (free && s == Seen::aligned)
-                 J.block<3, 3>(0, 3) -= hat(origin[op::frame_pose](q).p) * J.block<3, 3>(3, 3);
-               return J;
-             };
-           },
-           fixed_jacobian)},
-      {"exotica_668", "EXOTica", "ipab-slmc/exotica#668", "a floating base", "two columns swapped",
-       "Two of the three rotational columns of the floating base were exchanged.",
-       tree_forms(
-           op::frame_jacobian,
-           [](const T& tree, const TO& good) {
-             return [good, free = base(tree) == 0](const X& q, Seen s) -> M {
-               M J = good[op::frame_jacobian](q, s);
-               if (free) J.col(3).swap(J.col(4));
-               return J;
-             };
-           },
-           fixed_jacobian)},
-      {"optas_157", "OpTaS", "cmower/optas#157", "p != 0", "a Jacobian at the wrong point",
-       "The Jacobian was brought into another frame by the rotation alone, without the adjoint's lever.",
-       tree_forms(
-           op::frame_jacobian,
-           [](const T&, const TO& good) {
-             return [good](const X& q, Seen s) -> M {
-               return good[op::frame_jacobian](q, s == Seen::world ? Seen::aligned : s);
-             };
-           },
-           fixed_jacobian)},
+      row("dart_1657", "DART 6.12.1", "dartsim/dart#1657", "a free joint with offset frames",
+          "a wrong world Jacobian",
+          "The world Jacobian of a free joint lacked the lever of its offset frames.",
+          [](const T& tree, const TO& good) {
+            return [good, tree](const X& q, Seen s) -> M {
+              M J = good[op::frame_jacobian](q, s);
+              if (base(tree) == 0 && s == Seen::world)
+                J.block<3, 3>(0, 3) -= hat(vector_of(tree.joints[0].p)) * J.block<3, 3>(3, 3);
+              return J;
+            };
+          }),
+      row("newton_3866", "Newton 1.5.0", "newton-physics/newton#3866", "a base far from the origin",
+          "1 per metre",
+          "The base's angular columns were taken about the world's origin instead of the base.",
+          [](const T& tree, const TO& good) {
+            return [good, origin = with_frame_at(tree, 0), free = base(tree) == 0](const X& q, Seen s) -> M {
+              M J = good[op::frame_jacobian](q, s);
+              if (free && s == Seen::aligned)
+                J.block<3, 3>(0, 3) -= hat(origin[op::frame_pose](q).p) * J.block<3, 3>(3, 3);
+              return J;
+            };
+          }),
+      row("exotica_668", "EXOTica", "ipab-slmc/exotica#668", "a floating base", "two columns swapped",
+          "Two of the three rotational columns of the floating base were exchanged.",
+          [](const T& tree, const TO& good) {
+            return [good, free = base(tree) == 0](const X& q, Seen s) -> M {
+              M J = good[op::frame_jacobian](q, s);
+              if (free) J.col(3).swap(J.col(4));
+              return J;
+            };
+          }),
+      row("optas_157", "OpTaS", "cmower/optas#157", "p != 0", "a Jacobian at the wrong point",
+          "The Jacobian was brought into another frame by the rotation alone, without the adjoint's lever.",
+          [](const T&, const TO& good) {
+            return [good](const X& q, Seen s) -> M {
+              return good[op::frame_jacobian](q, s == Seen::world ? Seen::aligned : s);
+            };
+          }),
   };
 }
 
@@ -300,12 +267,7 @@ M3 right_inertia(const Part& p, const V3& c) {
 }
 template <class Inertia>
 OnTree<std::remove_cvref_t<decltype(op::tree_rnea)>> rnea_of_lumped(Inertia inertia) {
-  return [inertia](const T& tree, const TO&) {
-    const TO o = correct_tree(lumped(tree, inertia));
-    return [o](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
-      return o[op::tree_rnea](q, v, a, i, F);
-    };
-  };
+  return [inertia](const T& tree, const TO&) { return correct_tree(lumped(tree, inertia))[op::tree_rnea]; };
 }
 
 std::vector<HistoricBug> loaders() {
