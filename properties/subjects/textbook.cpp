@@ -3,7 +3,6 @@
 // in their name and run only if they are named.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <subjects/own_programs.hpp>
 #include <subjects/textbook.hpp>
 
@@ -23,29 +22,42 @@ std::vector<Registered<S>> variants(std::integer_sequence<int, i...>) {
 const auto variants_in_float = variants<float>(std::make_integer_sequence<int, 12>());
 const auto variants_in_double = variants<double>(std::make_integer_sequence<int, 12>());
 
-/// The argument as the textbook's functions take it: a pose by its two parts.
-std::string argument(const Layout& l) {
-  return l.type == "SE3<S>" ? fmt::format("{{{}, {}}}", l.parts[0].name, l.parts[1].name)
-                            : std::string(l.name);
-}
-
 /// The programs of the textbook with this cutoff.
 OwnPrograms programs(const std::string& cutoff) {
   OwnPrograms all{"-I lib -I properties",
                   "#include <subjects/textbook.hpp>\nusing namespace liecheck::properties;\n",
                   "const Textbook<S> book{{}, " + cutoff + "};\n",
                   {}};
-  const auto offered = Textbook<double>::make<8, false>().operations;
-  offered.for_each([&](const Operation& o) {
-    if (!offered.has(o)) return;
-    std::vector<std::string> arguments;
-    for (const Layout* l : o.arguments) arguments.push_back(argument(*l));
-    const std::string value = fmt::format("book.{}({})", o.name, fmt::join(arguments, ", "));
+  const auto add = [&](const Operation& o, const char* arguments) {
+    const std::string value = fmt::format("book.{}({})", o.name, arguments);
+    const bool pose = o.results[0]->parts.size() == 2 && o.results[0]->parts[0].size == 9;
     all.statements.emplace_back(
-        &o, o.results[0]->type == "SE3<S>"
-                ? "const Pose<S> T = " + value + ";\nstd::cout << T.R << '\\n' << T.p << '\\n';"
-                : value);
-  });
+        &o, pose ? "const Pose<S> T = " + value + ";\nstd::cout << T.R << '\\n' << T.p << '\\n';" : value);
+  };
+  add(op::exp3_quaternion, "phi");
+  add(op::exp3_matrix, "phi");
+  add(op::left_jacobian3, "phi");
+  add(op::right_jacobian3, "phi");
+  add(op::left_jacobian3_inverse, "phi");
+  add(op::right_jacobian3_inverse, "phi");
+  add(op::log3_quaternion, "Q");
+  add(op::log3_matrix, "R");
+  add(op::exp6, "xi");
+  add(op::log6, "{R, p}");
+  add(op::left_jacobian6, "xi");
+  add(op::right_jacobian6, "xi");
+  add(op::left_jacobian6_inverse, "xi");
+  add(op::right_jacobian6_inverse, "xi");
+  add(op::integrate, "q0, delta");
+  add(op::d_integrate_arg0, "q0, delta");
+  add(op::d_integrate_arg1, "q0, delta");
+  add(op::difference, "q0, q1");
+  add(op::d_difference_arg0, "q0, q1");
+  add(op::d_difference_arg1, "q0, q1");
+  add(op::compose, "{R, p}, {R_Y, p_Y}");
+  add(op::inverse, "{R, p}");
+  add(op::act_point, "{R, p}, p_Y");
+  add(op::rotate_point, "Q, p");
   return all;
 }
 
