@@ -116,4 +116,7 @@ void serve(Adapter& adapter, const std::string& memory);
 /// The name and the version of the protocol, which begin a conversation.
 inline constexpr const char* greeting = "liecheck 1";
 
+/// Whether the adapter offers an operation on trees.
+bool offers_trees(const Description& adapter, const std::string& scalar);
+
 }  // namespace liecheck::properties::adapters

@@ -50,15 +50,15 @@ Description described(const std::string& line) {
   std::vector<std::set<std::string>> members;  // of the objects that are open
   try {
     j = parsed(line);
-    (void)nlohmann::json::parse(line,
-                                [&](int, nlohmann::json::parse_event_t event, const nlohmann::json& value) {
-                                  using Event = nlohmann::json::parse_event_t;
-                                  if (event == Event::object_start) members.emplace_back();
-                                  if (event == Event::object_end) members.pop_back();
-                                  if (event == Event::key && !members.back().insert(value).second)
-                                    throw wrong(fmt::format("has '{}' twice", value.get<std::string>()));
-                                  return true;
-                                });
+    j = nlohmann::json::parse(line,
+                              [&](int, nlohmann::json::parse_event_t event, const nlohmann::json& value) {
+                                using Event = nlohmann::json::parse_event_t;
+                                if (event == Event::object_start) members.emplace_back();
+                                if (event == Event::object_end) members.pop_back();
+                                if (event == Event::key && !members.back().insert(value).second)
+                                  throw wrong(fmt::format("has '{}' twice", value.get<std::string>()));
+                                return true;
+                              });
   } catch (const nlohmann::json::exception&) {
     throw wrong("is no JSON");
   }

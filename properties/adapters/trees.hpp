@@ -58,7 +58,5 @@ void fill_robot(RobotOperations<double>& o, const std::string& urdf, bool fixed,
 
 /// Whether the adapter offers every operation on the configurations of a robot, and takes URDFs.
 bool offers_robots(const Description& adapter, const std::string& scalar);
-/// Whether the adapter offers an operation on trees.
-bool offers_trees(const Description& adapter, const std::string& scalar);
 
 }  // namespace liecheck::properties::adapters

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <adapters/adapter.hpp>
 #include <adapters/subjects.hpp>
-#include <adapters/trees.hpp>
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>

@@ -387,7 +387,7 @@ std::vector<Hostile> all() {
       limits("LimitsOfEscapes", "version = 2\nsubject = a" + esc + "\n", "2: a control character in"),
       limits("LimitsOfC1", "version = 2\nsubject = a" + c1 + "\n" + "x", "3: "),
       limits("LimitsWithoutAnEnd", "version = 2\nsubject = liecheck\n" + std::string(5 << 20, '#'),
-             " longer than"),
+             " cannot be read: longer than 4194304 bytes"),
       limits("LimitsOfNan", "version = 2\nsubject = liecheck\n[limits]\nexp6, *, any, forward = nan\n",
              "4: limit 'nan' is not"),
       limits("LimitsGivenTwice", "version = 2\nsubject = liecheck\nsubject = liecheck\n",

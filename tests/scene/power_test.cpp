@@ -82,7 +82,9 @@ class EachLedger : public testing::TestWithParam<Ledger> {
  protected:
   static double gap(const std::string& method, double step) {
     const Ledger& l = GetParam();
-    return Recorded(l.text + "integrator: {name: " + method + ", step: " + std::to_string(step) +
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.12g", step);
+    return Recorded(l.text + "integrator: {name: " + method + ", step: " + digits +
                     "}\nduration: " + std::to_string(l.duration) +
                     "\noutput: {every: " + std::to_string(l.duration / 10) + "}\nobservers: [power]\n")
         .figure("largest gap of the energy ledger");

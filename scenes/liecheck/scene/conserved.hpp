@@ -3,9 +3,9 @@
 // not grow if the effects only conserve or dissipate it. The band is 1 % of the largest kinetic energy so far, and of the
 // largest momentum that this energy allows.
 
-#include <liecheck/scene/estimate.hpp>
 #include <liecheck/scene/observers/energy.hpp>
 #include <liecheck/scene/observers/momentum.hpp>
+#include <liecheck/scene/setup.hpp>
 
 namespace liecheck::scene {
 

@@ -18,13 +18,6 @@
 
 namespace liecheck::scene {
 
-/// A state of the run to which twins are compared.
-template <class Sys>
-struct Checkpoint {
-  long step;
-  State<Sys> state;
-};
-
 /// The largest element of a difference of states, by kind of coordinate.
 struct StateError {
   double position = 0, angle = 0;                    ///< [m, rad]

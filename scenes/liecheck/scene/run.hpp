@@ -33,8 +33,8 @@ struct Plan {
 struct Measuring {
   bool every = false;  ///< count each instruction instead of a sample
   double seconds = 2;  ///< for counting; a stage that they do not suffice for has no count
-  std::function<void(const Plan&)> timed;    ///< called before anything is counted
-  std::function<void(const Stage&)> counts;  ///< called before the instructions of a stage are counted
+  std::function<void(const Plan&)> timed = {};    ///< called before anything is counted
+  std::function<void(const Stage&)> counts = {};  ///< called before the instructions of a stage are counted
 };
 /// Throws std::invalid_argument if a part does not fit the robot, SingularInertia for a joint without inertia, and, if
 /// measured, StepFailed if a step from the start fails.

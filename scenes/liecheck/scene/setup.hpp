@@ -2,11 +2,18 @@
 // Setup: the robot, effects and observers of a scene, ready for a plan or a run in double.
 
 #include <liecheck/scene/attitude_error.hpp>
-#include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/observers/observer.hpp>
+#include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/scene.hpp>
 
 namespace liecheck::scene {
+
+/// A state of the run to which twins are compared.
+template <class Sys>
+struct Checkpoint {
+  long step;
+  State<Sys> state;
+};
 
 template <class Sys>
 class Setup {
@@ -53,10 +60,14 @@ auto withSetup(const Scene& scene, F f) {
     return f(setup);
   };
   switch (kindOf(scene)) {
-    case SystemKind::ThrownBody: return with(std::type_identity<ThrownBody<double>>());
-    case SystemKind::LoneJoint: return with(std::type_identity<LoneJoint<double>>());
-    case SystemKind::LoneBody: return with(std::type_identity<LoneBody<double>>());
-    default: return with(std::type_identity<Tree<double>>());
+    case SystemKind::ThrownBody:
+      return with(std::type_identity<ThrownBody<double>>());
+    case SystemKind::LoneJoint:
+      return with(std::type_identity<LoneJoint<double>>());
+    case SystemKind::LoneBody:
+      return with(std::type_identity<LoneBody<double>>());
+    default:
+      return with(std::type_identity<Tree<double>>());
   }
 }
 

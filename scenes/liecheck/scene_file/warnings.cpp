@@ -68,10 +68,11 @@ void warnOfDepth(const Warnings& warn_of, const Scene& scene, const scene::Now<d
   for (const auto& inertia : scene.model.inertias) mass += inertia.mass();
   for (const Request& r : scene.effects) {
     if (r.name != "contact") continue;
-    const scene::Contact<double> contact(r.parameters, scene.model, scene.around);
-    const double pressed = std::pow(9.81 * mass / r.parameters.number("stiffness"),
-                                    1 / r.parameters.number("exponent")),
-                 depth = contact.deepest(now);
+    const double stiffness = r.parameters.number("stiffness"), exponent = r.parameters.number("exponent");
+    const double pressed = std::pow(9.81 * mass / stiffness, 1 / exponent);
+    // The depth of one point with the potential energy of all: V = k x^(e+1)/(e+1).
+    const double energy = scene::makeEffect<double>(r, scene.model, scene.around)->potential(now),
+                 depth = std::pow((exponent + 1) * energy / stiffness, 1 / (exponent + 1));
     if (depth > std::max(1e-3, 10 * pressed))
       warn_of(r.line,
               "this contact begins " + inWords(depth) +

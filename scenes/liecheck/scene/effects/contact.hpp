@@ -82,14 +82,6 @@ class Contact final : public Effect<S> {
     });
     return energy;
   }
-  /// How far the deepest point is below the ground [m]; below 0 if all are above it. Reads poses.
-  S deepest(const Now<S>& now) const {
-    S depth = -std::numeric_limits<S>::infinity();
-    forEachTouch(now, [&](std::size_t, const S& distance, const auto&, const Vector3<S>&) {
-      depth = std::max(depth, S(-distance));
-    });
-    return depth;
-  }
   std::vector<Sliding<S>> sliding(const Now<S>& now) const override {
     std::vector<Sliding<S>> all;
     forEachTouch(now, [&](std::size_t joint, const S& distance, const Vector3<S>& n, const Vector3<S>& p) {
