@@ -12,6 +12,7 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -85,10 +86,14 @@ struct Where {
 /// incomplete, instead of ending with the code of a pass or without a word.
 class Inside {
  public:
-  Inside(const char* library, std::string_view operation) : before_(now) { now = {library, operation}; }
+  /// The name of the operation is a literal.
+  Inside(const char* library, std::string_view operation) : before_(now) {
+    now = {library, operation};
+    last_library = library, last_operation = operation.data(), ++inside;
+  }
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
-  ~Inside() { now = before_; }
+  ~Inside() { now = before_, --inside; }
   static void watch() {
     static const int registered = std::atexit([] {
       if (now.library) end("exit()");
@@ -99,12 +104,15 @@ class Inside {
   }
 
  private:
+  /// A thread that is in no Inside, while others are, has been started to call a library twice at a time.
   static void on_crash(int number) {
+    if (!now.library && inside > 0) now = {last_library, last_operation.load()};
     if (now.library) end("the signal SIG", ::sigabbrev_np(number));
     std::signal(number, SIG_DFL), std::raise(number);
   }
   /// Only functions that are safe in the handler of a signal.
   [[noreturn]] static void end(std::string_view how, std::string_view signal = "") {
+    while (ending.exchange(true)) ::pause();  // another thread writes, and then ends the program
     for (const std::string_view part :
          {std::string_view("liecheck: "), std::string_view(now.library), std::string_view(": "),
           now.operation, std::string_view(" ended the program, in whose process it runs, by "), how, signal,
@@ -113,6 +121,9 @@ class Inside {
     ::_exit(3);
   }
   static inline thread_local Where now;
+  static inline std::atomic<const char*> last_library = nullptr, last_operation = nullptr;
+  static inline std::atomic<int> inside = 0;
+  static inline std::atomic<bool> ending = false;
   Where before_;
 };
 
@@ -217,6 +228,7 @@ class Library final : public Adapter {
   std::string repeated(const Batch& b) override {
     if (!b.model.empty()) return "";
     const std::size_t at = index(b);
+    const Inside inside(adapter_.name, b.operation.operation);
     return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_.thread_safe);
   }
 

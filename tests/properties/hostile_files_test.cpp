@@ -524,7 +524,9 @@ TEST_P(HostileFile, IsData) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     EXPECT_FALSE((byte < 0x20 && byte != '\n') || byte == 0x7f) << int(byte);
-    if (byte == 0xc2 && i + 1 < text.size()) EXPECT_GE(static_cast<unsigned char>(text[i + 1]), 0xa0);
+    if (byte == 0xc2 && i + 1 < text.size()) {
+      EXPECT_GE(static_cast<unsigned char>(text[i + 1]), 0xa0);
+    }
   }
   auto after = files();
   if (GetParam().code == 0)
@@ -534,7 +536,9 @@ TEST_P(HostileFile, IsData) {
   for (const auto& [name, content] : after)
     EXPECT_TRUE(before.contains(name) && before.at(name) == content) << name;
   for (const auto& [name, content] : before) EXPECT_TRUE(after.contains(name)) << name;
-  if (GetParam().code == 2) EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  if (GetParam().code == 2) {
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  }
 }
 
 TEST(OutputsOfAScene, ReplaceThoseOfAnEarlierRun) {
