@@ -145,12 +145,14 @@ TEST(BadCitizens, ThatEndTheProgramAreNamedAndDoNotPass) {
   for (const auto& [way, how] :
        {std::pair("exit", "exit()"), {"abort", "the signal SIGABRT"}, {"segfault", "the signal SIGSEGV"}}) {
     const auto [code, text] = shell(std::string("LIECHECK_BAD=") + way +
-                                      " " LIECHECK_PROGRAM
-                                      " campaign --no-hard-cases --no-probe --property exp_oracle "
-                                      "--adapter in-process:" LIECHECK_BAD_CITIZENS);
+                                    " " LIECHECK_PROGRAM
+                                    " campaign --no-hard-cases --no-probe --property exp_oracle "
+                                    "--adapter in-process:" LIECHECK_BAD_CITIZENS);
     EXPECT_EQ(code, 3) << text;
     const std::string words = std::string("ended the program, in whose process it runs, by ") + how;
-    EXPECT_NE(text.find(words), text.npos) << text;
+    // While one thread is in exit(), others may use what it has destroyed.
+    const bool beside = way == std::string("exit") && text.find("by the signal SIGSEGV") != text.npos;
+    EXPECT_TRUE(beside || text.find(words) != text.npos) << text;
     EXPECT_NE(text.find("liecheck: bad: exp"), text.npos) << text;
   }
 }
@@ -183,8 +185,8 @@ TEST(TreesOfUrdfs, AreNotMeasuredWithoutOneWhichIsSaidAndIsNoPass) {
   std::ofstream(file) << program;
   for (const auto& [adapter, expected] : {std::pair<std::string, int>(LIECHECK_BAD_PYTHON, 0), {file, 3}}) {
     const auto [code, said] = shell("LIECHECK_BAD=none " LIECHECK_PROGRAM
-                                      " campaign --no-hard-cases --cases 20 --adapter '/usr/bin/python3 " +
-                                      adapter + "'");
+                                    " campaign --no-hard-cases --cases 20 --adapter '/usr/bin/python3 " +
+                                    adapter + "'");
     EXPECT_EQ(code, expected) << said;
     EXPECT_EQ(said.find("NOT MEASURED  the functions of bad on trees") != said.npos, expected == 3) << said;
   }
