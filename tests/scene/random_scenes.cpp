@@ -319,7 +319,9 @@ Judged judge(const Drawn& drawn, const std::string& folder) {
   j.ratio = linear ? part(truth->position, e.error.position, e.accepted.position)
                    : part(truth->angle, e.error.angle, e.accepted.angle);
   const bool alarmed = !e.alarms.empty();
-  j.kind = alarmed        ? (j.excess > 1 ? Kind::AlarmDue : Kind::AlarmUnneeded)
+  // That energy or momentum has changed is measured, and no estimate.
+  const bool measured = alarmed && e.alarms[0].what.find("by more than 1 %") != std::string::npos;
+  j.kind = alarmed        ? (measured || j.excess > 1 ? Kind::AlarmDue : Kind::AlarmUnneeded)
            : j.excess > 1 ? Kind::Wrong
                           : Kind::Right;
   j.line = text("true/accepted %.3g true/stated %.3g cost %.2f order %.2g events %ld", j.excess, j.ratio,
