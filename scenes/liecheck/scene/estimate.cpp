@@ -320,13 +320,13 @@ class Estimator {
     advised_ = 0;
     if (methodInfo(setup_.scene.integrator).adaptive)
       return "take the tolerance " + decimal(enoughTolerance(), "%.0e") + or_else;
-    if (times > 100 || (phases_.count > 0 && times * setup_.step() > 100 * phases_.shortest)) {
+    if (phases_.count > 0) times *= setup_.step() / phases_.shortest;
+    if (times > 100) {
       const double accepted = std::min(result_.accepted.position, result_.accepted.angle);
       return std::string("take integrator: {name: ") + (stiff ? "radau5" : "dopri5") +
              ", tolerance: " + decimal(std::clamp(1e-4 * accepted, 1e-12, 1e-6), "%.0e") + "}" + or_else;
     }
-    const double shortest = phases_.count > 0 ? std::min(phases_.shortest, setup_.step()) : setup_.step();
-    advised_ = setup_.step() / divisorOf(times * setup_.step() / shortest);
+    advised_ = setup_.step() / divisorOf(times);
     return "take steps of " + decimal(advised_) + " s" + or_else;
   }
 

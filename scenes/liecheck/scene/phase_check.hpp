@@ -8,7 +8,8 @@
 //
 // and otherwise taken again with s 0.9 (error/tolerance)^(-1/p). So a contact of a mass m with the stiffness k, which lasts
 // pi sqrt(m/k), has about eight steps, whatever the step of the run is. The check ends once two steps of at least h/2 were
-// accepted, or 8 h after the event: a longer phase is taken in steps of the run, as other motions are.
+// accepted, or 8 h after the event: a longer phase is taken in steps of the run, as other motions are. The tolerance is a
+// hundredth of the accepted error of a motion, 1 % of its extent; |v_0|/1000 keeps it above 0 where no force acts.
 //
 // Runs that estimate the error of this one (estimate.hpp) have another r, so that their steps differ inside of phases, too:
 // r > 1 loosens the tolerance, and r < 1 also divides every step, of phases and of parts, into 1/r equal ones.
@@ -62,7 +63,7 @@ class PhaseCheck {
   bool agrees(const Sys& system, const State<Sys>* once, const State<Sys>& from, const S& s, const S& whole,
               Halves halves) {
     using std::max, std::min, std::pow;
-    S error = std::numeric_limits<S>::infinity(), missed = error;
+    S error = std::numeric_limits<S>::infinity(), apart = error;
     if (once && halves(S(s / S(2)), twice_)) {
       const auto size = [](const auto& x) { return S(x.cwiseAbs().maxCoeff()); };
       const S v = size(from.v),
@@ -74,7 +75,7 @@ class PhaseCheck {
       const S d_v = size(typename Sys::Tangent(twice_.v - once->v));
       const S e_v = in(d_v, S(allowed + rounding * v)),
               e_q = in(size(system.difference(once->q, twice_.q)), S(s * allowed + rounding * S(1 + s * v)));
-      if (finite<S>(e_v) && finite<S>(e_q)) error = max(e_v, e_q), missed = d_v / S(v + eps<S>());
+      if (finite<S>(e_v) && finite<S>(e_q)) error = max(e_v, e_q), apart = d_v / S(v + eps<S>());
     }
     S factor = error > S(0) ? S(S(9) / S(10) * S(pow(error, S(S(-1) / S(order_))))) : S(4);
     factor = min(S(4), max(S(S(1) / S(10)), factor));
@@ -83,7 +84,7 @@ class PhaseCheck {
       wish_ = s * min(factor, S(S(7) / S(10)));
       return false;
     }
-    if (!agree && !made_.unresolved && !(missed <= S(1) / S(1000000))) made_.unresolved = double(from.t);
+    if (!agree && !made_.unresolved && !(apart <= S(1) / S(1000000))) made_.unresolved = double(from.t);
     if (wish_ < whole) {
       ++made_.count;
       made_.shortest = made_.count == 1 ? double(s) : std::min(made_.shortest, double(s));

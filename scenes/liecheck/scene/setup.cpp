@@ -63,8 +63,10 @@ double AttitudeError<Sys>::sample(Sys& system, const State<Sys>& state, long n,
     span.steps = (n - steps_) * refinement_;
     span.every = 256;
     span.duration = scene_.span.duration / double(scene_.span.steps) * double(n - steps_);
+    const Switches<double> held = system.switches();  // of the run, which goes on after this
     const Outcome o =
         simulate(system, *method_, reference_, span, [&](const auto&, long) { return go_on(); });
+    system.switches() = held;
     if (o.stopped) throw Interrupted();
     if (o.diverged) throw StepFailed("the reference motion of attitude_error diverges: " + o.why);
     steps_ = n;

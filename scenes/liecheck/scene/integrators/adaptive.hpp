@@ -43,9 +43,8 @@ class Adaptive : public Method<Sys> {
       S error = std::numeric_limits<S>::infinity();
       try {
         error = attempt(system, *at_, trial);
-      } catch (
-          const std::
-              domain_error&) {  // SingularInertia: of a stage that went astray, if a shorter step has none
+      } catch (const std::domain_error&) {
+        // SingularInertia: of a stage that went astray, if a shorter step has none.
         if (!(S(h + trial / S(4)) > h)) throw;
       }
       using std::max, std::min, std::pow;
