@@ -21,6 +21,35 @@ struct NumberFunction {
   std::function<void(void* arguments, void* results)> compute = nullptr;
 };
 
+/// Calls a function with numbers that are rounded to its scalar, and checks the call if the thread has a log. The conversions
+/// stand outside the call, which may flush subnormal numbers.
+void call_in_scalar(const NumberFunction& f, std::span<double> arguments, std::span<double> results);
+
+/// Room for some numbers or bytes, which lies on the stack if they are few. They are not set.
+template <class T, std::size_t few = 64>
+class Room {
+ public:
+  explicit Room(std::size_t n) : more_(n > few ? n : 0), n_(n) {}
+  T* data() { return more_.empty() ? few_ : more_.data(); }
+  std::span<T> all() { return {data(), n_}; }
+
+ private:
+  T few_[few];
+  std::vector<T> more_;
+  std::size_t n_;
+};
+
+/// The result of a function for arguments with `n` numbers, if it has `m`.
+template <class R, class... A>
+R by_numbers(const NumberFunction& f, std::size_t n, std::size_t m, const A&... arguments) {
+  Room<double> in(n), out(m);
+  double* to = in.data();
+  (put_numbers(arguments, to), ...);
+  call_in_scalar(f, in.all(), out.all());
+  const double* from = out.data();
+  return take_numbers<R>(from, *f.operation->results[0], f.model);
+}
+
 /// The function of an operation; one whose `compute` is null if there is none.
 using FindFunction = std::function<NumberFunction(const Operation&)>;
 

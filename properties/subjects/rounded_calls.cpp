@@ -52,18 +52,18 @@ void construct(S* results, std::size_t n, const F& call) {
   }
 }
 
-/// The function of numbers that calls a function in the types of S.
+/// Calls a function in the types of S with numbers, and writes the arguments back, where a check sees what the function has
+/// written to them.
 template <class S, class F, class R, class... A>
-auto computes(const F& function, R (*)(const A&...), const Operation& operation, ModelSize model) {
-  return [function, &operation, model, n = count_numbers(operation.results, model)](void* in, void* out) {
-    const S* from = static_cast<const S*>(in);
-    auto next = [layout = operation.arguments.begin()]() mutable -> const Layout& { return **layout++; };
-    // The braces of a tuple evaluate the arguments in their order.
-    const std::tuple<A...> arguments{take_numbers<A>(from, next(), model)...};
-    construct<S, R>(static_cast<S*>(out), n, [&]() -> R { return std::apply(function, arguments); });
-    S* back = static_cast<S*>(in);  // where a check sees what the function has written to its arguments
-    std::apply([&back](const A&... a) { (put_numbers(a, back), ...); }, arguments);
-  };
+void call_with_numbers(const F& function, R (*)(const A&...), const Operation& operation, ModelSize model,
+                       void* in, void* out, std::size_t results) {
+  const S* from = static_cast<const S*>(in);
+  auto next = [layout = operation.arguments.begin()]() mutable -> const Layout& { return **layout++; };
+  // The braces of a tuple evaluate the arguments in their order.
+  const std::tuple<A...> arguments{take_numbers<A>(from, next(), model)...};
+  construct<S, R>(static_cast<S*>(out), results, [&]() -> R { return std::apply(function, arguments); });
+  S* back = static_cast<S*>(in);
+  std::apply([&back](const A&... a) { (put_numbers(a, back), ...); }, arguments);
 }
 
 /// A value with its numbers in S: rounded, or exactly.
@@ -113,31 +113,45 @@ Tree<S> in_scalar(const Tree<double>& tree) {
   return t;
 }
 
+/// The functions of a subject, of one of its robots or of one of its trees.
+template <class From>
+struct Functions {
+  From functions;
+  ModelSize model;
+  int tree;
+};
+
 /// Calls that are neither checked nor hooked take the short way.
-template <class S, class F, class R, class... A>
-void shorten(std::function<R(const A&...)>& slot, const F& function) {
+template <class S, class Typed, class Of, class R, class... A>
+void fill(std::function<R(const A&...)>& slot, const Operation& operation, Typed* signature,
+          const auto& function, const std::shared_ptr<const Of>& of) {
   if (!function) return;
-  slot = [function, by_numbers = std::move(slot)](const A&... arguments) -> R {
-    if (CallLog::current() || call_hook()) return by_numbers(arguments...);
+  slot = [of, &operation, &function, signature](const A&... arguments) -> R {
+    if (CallLog::current() || call_hook()) {
+      const std::size_t n = count_numbers(operation.arguments, of->model),
+                        m = count_numbers(operation.results, of->model);
+      const auto compute = [&](void* in, void* out) {
+        call_with_numbers<S>(function, signature, operation, of->model, in, out, m);
+      };
+      return by_numbers<R>({&operation, &oracles::scalar_of<S>, of->model, of->tree, std::ref(compute)}, n, m,
+                           arguments...);
+    }
     if constexpr (std::is_same_v<S, double>)
       return function(arguments...);
     else
       return in_scalar<double>(function(in_scalar<S>(arguments)...));
   };
 }
-/// Fills the slots with the functions of a subject.
+/// Fills the slots with the functions of a subject, which they share: a tree is built for each case.
 template <class S, class To, const auto&... all>
 void erase(Slots<To, all...>& to, const Slots<S, all...>& from, ModelSize model = {}, int tree = 0) {
-  fill_slots(to, [&](const Operation& wanted) {
-    NumberFunction f{&wanted, &oracles::scalar_of<S>, model, tree};
-    const auto look = [&](const auto& one) {
-      using Signature = typename std::remove_cvref_t<decltype(one)>::template Plain<S>*;
-      if (&one == &wanted && from[one]) f.compute = computes<S>(from[one], Signature(), one, model);
-    };
-    (look(all), ...);
-    return f;
-  });
-  (shorten<S>(to[all], from[all]), ...);
+  using Of = Functions<Slots<S, all...>>;
+  const auto of = std::make_shared<const Of>(from, model, tree);
+  const auto one = [&]<class O>(const O& operation) {
+    fill<S>(to[operation], operation, static_cast<typename O::template Plain<S>*>(nullptr),
+            of->functions[operation], of);
+  };
+  (one(all), ...);
 }
 
 }  // namespace
