@@ -15,10 +15,11 @@ __attribute__((constructor)) static void change(void) {
   if (strcmp(how, "zero") == 0) fesetround(FE_TOWARDZERO);
   if (strcmp(how, "trap") == 0) feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
 #ifdef __x86_64__
-  if (strcmp(how, "x87") == 0) {
+  if (strncmp(how, "x87", 3) == 0) {
     unsigned short control;
     __asm__ volatile("fnstcw %0" : "=m"(control));
-    control &= (unsigned short)~0x300;
+    control &= (unsigned short)~0x300;                   /* 24 bits */
+    if (strcmp(how, "x87_53") == 0) control |= 0x200;
     __asm__ volatile("fldcw %0" : : "m"(control));
   }
 #endif
