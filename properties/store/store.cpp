@@ -89,13 +89,14 @@ std::set<std::string> structure_of(const SQLite::Database& database) {
   return all;
 }
 
-/// Refuses files beside a store through which SQLite would write or delete another file: links, and a journal that names
+/// Refuses files beside a store through which SQLite would wait, or write or delete another file: links, pipes, and a journal that names
 /// a second journal, which SQLite deletes after the rollback. liecheck writes no such journal.
 void check_files_beside(const std::string& path) {
   std::error_code error;
   for (const char* ending : {"-journal", "-wal", "-shm"})
-    if (std::filesystem::is_symlink(path + ending, error))
-      throw error_of(path + ending, "is a link beside a store: remove it");
+    if (const auto file = std::filesystem::symlink_status(path + ending, error);
+        std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+      throw error_of(path + ending, "is a link, a pipe or a folder beside a store: remove it");
   constexpr std::string_view magic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
   std::ifstream journal(path + "-journal", std::ios::binary);
   std::string end(magic.size(), '\0');

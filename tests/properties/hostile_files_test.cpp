@@ -2,6 +2,7 @@
 // Each row is a hostile file and the command that reads it.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sqlite3.h>
 #include <sys/wait.h>
 
@@ -371,11 +372,15 @@ std::vector<Hostile> all() {
        {{"s.db", "store: "}, {"s.db-journal", "journal"}}},
       {"StoreWithALinkedJournal",
        replayed,
-       "s.db-journal: is a link beside a store",
+       "s.db-journal: is a link, a pipe or a folder beside a store",
        {{"s.db", "store: "}, {"s.db-journal", "-> @/outside/ran"}}},
+      {"StoreWithAPipeForAJournal",
+       with_store,
+       "s.db-journal: is a link, a pipe or a folder beside a store",
+       {{"s.db", "store: "}, {"s.db-journal", "pipe"}}},
       {"StoreWithALinkedLog",
        with_store,
-       "s.db-wal: is a link beside a store",
+       "s.db-wal: is a link, a pipe or a folder beside a store",
        {{"s.db", "store: "}, {"s.db-wal", "-> @/outside/keep"}}},
       {"StoreOfAHugeNumber",
        "$L export s.db@99999999999999999999",
@@ -442,6 +447,8 @@ class HostileFile : public testing::TestWithParam<Hostile> {
     fs::create_directories(fs::path(file).parent_path());
     if (content.starts_with("-> "))
       fs::create_symlink(placed(content.substr(3)), file);
+    else if (content == "pipe")
+      ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
     else if (content.starts_with("store: ") || content.starts_with("sealed: "))
       make_store(file, content);
     else
