@@ -172,9 +172,7 @@ std::string register_as(const std::string& text, const std::string& name, bool i
   } catch (const AdapterFailed& e) {
     refuse(e.what());
   }
-  if (d.name.empty() ||
-      !std::ranges::all_of(d.name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
-    refuse(fmt::format("its name '{}' must have letters, digits, '_' and '-' only", d.name));
+  if (const std::string why = complaint_of_name(d.name); !why.empty()) refuse(why);
   for (const auto& [operation, scalar] : d.offered)
     if (!is_operation(operation))
       refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
@@ -190,6 +188,13 @@ std::string register_as(const std::string& text, const std::string& name, bool i
 }
 
 }  // namespace
+
+std::string complaint_of_name(const std::string& name) {
+  const bool fits = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  return fits ? "" : fmt::format("its name '{}' must have letters, digits, '_' and '-' only", name);
+}
 
 const std::vector<OperationSizes>& all_sizes() {
   static const std::vector<OperationSizes> all = [] {

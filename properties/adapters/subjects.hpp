@@ -11,6 +11,9 @@ namespace liecheck::properties::adapters {
 /// Throws AdapterFailed.
 std::unique_ptr<Adapter> start(const std::string& text);
 
+/// What is wrong with the name of an adapter, which becomes a part of addresses and commands; or "".
+std::string complaint_of_name(const std::string& name);
+
 /// The path of the shared library that `text` names; "" if it is a command.
 std::string library_in(const std::string& text);
 

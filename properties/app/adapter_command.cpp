@@ -17,6 +17,8 @@ struct AdapterCheckFlags {
 int check(const AdapterCheckFlags& f) try {
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
+  if (const std::string why = adapters::complaint_of_name(d.name); !why.empty())
+    throw std::invalid_argument(fmt::format("'{}': {}", f.adapter, why));
   say("{} {}: {} function{}\n", d.name, d.version, d.offered.size(), d.offered.size() == 1 ? "" : "s");
   const adapters::Checked all = adapters::check(*adapter);
   std::size_t wrong = 0;

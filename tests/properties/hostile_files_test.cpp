@@ -428,6 +428,12 @@ std::vector<Hostile> all() {
        {{"a.sh",
          "printf '{\"protocol\": 1, \"name\": \"\\\\u001b[2J\", \"version\": \"\", \"operations\": "
          "{\"exp6\": [\"double\"]}}\\n'; cat >/dev/null\n"}}},
+      {"CheckedAdapterOfEscapes",
+       "$L adapter check \"sh a.sh\"",
+       "its name",
+       {{"a.sh",
+         "printf '{\"protocol\": 1, \"name\": \"\\\\u001b[2J\", \"version\": \"\", \"operations\": "
+         "{\"exp6\": [\"double\"]}}\\n'; cat >/dev/null\n"}}},
   };
   return h;
 }
