@@ -229,7 +229,7 @@ SceneSweepResult swept(const Flags& f) {
   SceneSweepResult r;
   r.for_report = f.for_report;
   r.scenes = sweep_scenes(scenes, options);
-  r.peers = compare_peers(r.scenes);
+  if (!stop_requested) r.peers = compare_peers(r.scenes);
   if (options.order_scenes > 0 && !stop_requested)
     r.wrong = wrong_orders(r.scenes, f.files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
   if (f.files.empty() && options.integrators.empty() && options.steps.empty()) {

@@ -79,16 +79,19 @@ class Sweeper {
   }
   const std::vector<Largest>& largest() const { return largest_; }
 
-  /// Sweeps the floats whose bits are in [first, end). Precondition: they belong to one task.
-  void sweep(std::uint32_t first, std::uint32_t end) {
+  /// Sweeps the floats whose bits are in [first, end). Returns false if it was stopped. Precondition: they belong to one
+  /// task.
+  bool sweep(std::uint32_t first, std::uint32_t end, const std::atomic<bool>& stop) {
     for (std::uint32_t from = first; from < end; from += interval) {
       const std::uint32_t to = std::min(end, from + interval);
       if (sweep_ends(from, to)) continue;
       for (std::uint32_t b = from; b < to; b += block) {
+        if (stop) return false;
         const std::uint32_t until = std::min(to, b + block);
         if (!sweep_ends(b, until)) sweep_block(b, until);
       }
     }
+    return true;
   }
 
  private:
@@ -224,8 +227,8 @@ SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode
       const std::uint64_t t = next++;
       if (t >= tasks.size()) break;
       const auto [k, first] = tasks[t];
-      own[k]->sweep(static_cast<std::uint32_t>(first),
-                    static_cast<std::uint32_t>(std::min(parts[k].end(), first + task)));
+      const auto end = static_cast<std::uint32_t>(std::min(parts[k].end(), first + task));
+      if (!own[k]->sweep(static_cast<std::uint32_t>(first), end, stop)) break;
       const std::uint64_t so_far = ++done;
       const std::lock_guard lock(mutex);
       options.progress(static_cast<double>(so_far) / static_cast<double>(tasks.size()));

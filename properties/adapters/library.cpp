@@ -20,9 +20,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <deque>
+#include <initializer_list>
 #include <map>
 #include <mutex>
 #include <support/float_environment.hpp>
+#include <support/stop.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -101,6 +103,13 @@ class Inside {
     (void)registered;
     for (const int crash : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
       if (const auto earlier = std::signal(crash, on_crash); earlier != SIG_DFL) std::signal(crash, earlier);
+    std::signal(SIGALRM, [](int) {
+      if (inside > 0)
+        say({last_library.load(), ": ", last_operation.load(),
+             " runs in this process and has not returned since the signal: a second signal ends the "
+             "program\n"});
+    });
+    tells_what_it_waits_for = true;
   }
 
  private:
@@ -113,12 +122,15 @@ class Inside {
   /// Only functions that are safe in the handler of a signal.
   [[noreturn]] static void end(std::string_view how, std::string_view signal = "") {
     while (ending.exchange(true)) ::pause();  // another thread writes, and then ends the program
-    for (const std::string_view part :
-         {std::string_view("liecheck: "), std::string_view(now.library), std::string_view(": "),
-          now.operation, std::string_view(" ended the program, in whose process it runs, by "), how, signal,
-          std::string_view("\n")})
-      if (::write(2, part.data(), part.size()) < 0) break;
+    say({now.library, ": ", now.operation, " ended the program, in whose process it runs, by ", how, signal,
+         "\n"});
     ::_exit(3);
+  }
+  static void say(std::initializer_list<std::string_view> parts) {
+    constexpr std::string_view program = "liecheck: ";
+    if (::write(2, program.data(), program.size()) < 0) return;
+    for (const std::string_view part : parts)
+      if (::write(2, part.data(), part.size()) < 0) break;
   }
   static inline thread_local Where now;
   static inline std::atomic<const char*> last_library = nullptr, last_operation = nullptr;
@@ -205,6 +217,7 @@ class Library final : public Adapter {
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
+    if (GivesUp::now()) throw GivenUp{};
     std::unique_lock lock(mutex_, std::defer_lock);
     if (!adapter_.thread_safe) lock.lock();
     std::shared_ptr<Handle> model;

@@ -27,13 +27,15 @@ extern "C" void on_signal(int number) {
     [[maybe_unused]] const auto written = ::write(2, said, sizeof said - 1);
     ::_exit(incomplete);
   }
-  static std::atomic<long> stopped_at{-1};  // [ms]
   timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   const long now = t.tv_sec * 1000 + t.tv_nsec / 1000000;
-  long first = -1;
-  if (!stopped_at.compare_exchange_strong(first, now) && now - first > 300)
+  long first = 0;
+  if (signalled_at.compare_exchange_strong(first, now)) {
+    if (tells_what_it_waits_for) ::alarm(1);
+  } else if (now - first > 300) {
     std::signal(number, SIG_DFL), std::raise(number);
+  }
   stop_requested = true;
 }
 

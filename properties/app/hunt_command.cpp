@@ -81,17 +81,21 @@ int print_worst(const Series& series, const Worst& w, const std::string& replay_
   const std::string band = series.bands()[w.judged.residual.band].name;
   const char* unit = w.by_kappa ? "eps kappa" : "eps";
   std::string verdict = "within budget";
-  for (const Judged& j : series.replay(w.id)) {
-    if (j.residual.output != w.output) continue;
-    if (j.failed) failed = true, verdict = "FAIL";
-    const bool one_rule = w.by_kappa == (j.budget->rule == Rule::excess);
-    if (is_misuse(j.residual.outcome))
-      verdict = fmt::format("FAIL: {}", outcome_words[static_cast<int>(j.residual.outcome)]);
-    else if (one_rule && w.score > j.budget->limit && !j.failed)
-      failed = true, verdict = "FAIL: not repeatable, since it passes if measured again";
-    verdict = fmt::format("budget {} {}: {}", j.budget->limit,
-                          j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
-    break;
+  try {
+    for (const Judged& j : series.replay(w.id)) {
+      if (j.residual.output != w.output) continue;
+      if (j.failed) failed = true, verdict = "FAIL";
+      const bool one_rule = w.by_kappa == (j.budget->rule == Rule::excess);
+      if (is_misuse(j.residual.outcome))
+        verdict = fmt::format("FAIL: {}", outcome_words[static_cast<int>(j.residual.outcome)]);
+      else if (one_rule && w.score > j.budget->limit && !j.failed)
+        failed = true, verdict = "FAIL: not repeatable, since it passes if measured again";
+      verdict = fmt::format("budget {} {}: {}", j.budget->limit,
+                            j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
+      break;
+    }
+  } catch (const GivenUp&) {
+    verdict = "not measured again";
   }
   say("  worst     {:.4g} {}, a lower bound of the maximum; {}\n", w.score, unit, verdict);
   say("  error     {:.4g} eps", w.judged.residual.error);

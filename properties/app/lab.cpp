@@ -101,7 +101,7 @@ nlohmann::json record_of_lab(std::vector<std::string> words, const std::string& 
   }
   ::close(nothing);
   int status = 0;
-  constexpr int patience = 60;  // looks, after which the laboratory is ended, which may be within a long step
+  constexpr int patience = 40;  // looks, after which the laboratory is ended, which may be within a long step
   int told = 0;
   for (pid_t ended = 0; ended != id;) {
     ended = ::waitpid(id, &status, WNOHANG);

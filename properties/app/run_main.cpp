@@ -11,6 +11,7 @@
 #include <cstring>
 #include <iostream>
 #include <support/float_environment.hpp>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties {
@@ -64,6 +65,9 @@ int run_main(int argc, char** argv, const Program& program) {
     return finish(code);
   } catch (const std::exception& e) {
     return std::ferror(stdout) ? finish(bad_input) : refuse(e.what());
+  } catch (const GivenUp&) {  // an adapter gave no answer before the end
+    std::fputs("interrupted\n", stderr);
+    return finish(incomplete);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <search/shrink.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -27,11 +28,38 @@ std::string case_text(const Series& series, const CaseId& id, const std::vector<
          comparison_text(series, series.outputs[output], case_noted, input) + program;
 }
 
+namespace {
+
+/// What follows after the case was measured again: the shrunk case, if it fails again.
+std::string measured_again(const Series& series, const CaseId& id, int output, int band,
+                           const std::string& flags) try {
+  const Shrunk s = shrink(series, id, output, 2000);
+  if (!s.reproduced)
+    return fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",
+                       s.judged.failed ? "gives other results" : "passes");
+  std::string text;
+  if (const std::size_t shown = s.judged.residual.band; shown != static_cast<std::size_t>(band) && shown > 0)
+    text += fmt::format("  shown     a simpler input that fails in the same way, in the band {}\n",
+                        series.bands()[shown].name);
+  text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
+  text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
+  if (!series.adapter.empty()) return text;  // with its own program
+  const auto at = static_cast<std::size_t>(output);
+  const Output& o = series.outputs.at(at);
+  const std::string own = own_program(series, o, noted(series, s.id, at));
+  const std::string program = own.empty() ? program_of(series, o, s.id.input) : own;
+  if (!program.empty()) text += "  as C++:\n\n" + program;
+  return text;
+} catch (const GivenUp&) {
+  return "  interrupted: this case is not measured again, and not shrunk\n";
+}
+
+}  // namespace
+
 std::string describe_failure(const Series& series, std::uint64_t seed, int output, int band, const Row& row,
                              const Robot& robot) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(output));
   const CaseId id = series.id(seed, row.worst_index);
-  const Shrunk s = shrink(series, id, output, 2000);
   const std::string flags =
       (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
   std::string text;
@@ -45,19 +73,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   if (const std::string outcomes = outcomes_of(row); !outcomes.empty())
     text += fmt::format("  outcomes  {}\n", outcomes);
   text += fmt::format("  found     liecheck replay {}{}\n", id.text(), flags);
-  if (!s.reproduced)
-    return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",
-                              s.judged.failed ? "gives other results" : "passes");
-  if (const std::size_t shown = s.judged.residual.band; shown != static_cast<std::size_t>(band) && shown > 0)
-    text += fmt::format("  shown     a simpler input that fails in the same way, in the band {}\n",
-                        series.bands()[shown].name);
-  text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
-  text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
-  if (!series.adapter.empty()) return text;  // with its own program
-  const std::string own = own_program(series, o, noted(series, s.id, static_cast<std::size_t>(output)));
-  const std::string program = own.empty() ? program_of(series, o, s.id.input) : own;
-  if (!program.empty()) text += "  as C++:\n\n" + program;
-  return text;
+  return text + measured_again(series, id, output, band, flags);
 }
 
 }  // namespace liecheck::properties

@@ -116,7 +116,7 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
 }
 
 /// Returns false if it was stopped; the row then lacks cells.
-bool run(Task& task) {
+bool run(Task& task) try {
   for (const Series* s : task.series) {
     if (stop_requested) return false;
     CaseId id = s->id(0, 0);
@@ -137,6 +137,8 @@ bool run(Task& task) {
     task.row.cells.push_back(cell_of(*s, id, trial));
   }
   return true;
+} catch (const GivenUp&) {
+  return false;
 }
 
 }  // namespace

@@ -54,7 +54,11 @@ void add_compared_numbers(json& record, const CampaignResult& campaign,
       const json& worst = std::as_const(record)["results"][rows[i]]["worst"];
       const CaseId id = CaseId::parse(worst["id"].get<std::string>());
       const Output& of = series->outputs.at(output);
-      found[i] = comparison_of(*series, of, noted(*series, id, output), most_numbers);
+      try {
+        found[i] = comparison_of(*series, of, noted(*series, id, output), most_numbers);
+      } catch (const GivenUp&) {
+        return;
+      }
       steps.done(std::string(of.operation));
     }
   });

@@ -125,9 +125,13 @@ HuntResult hunt_in(const Series& series, const HuntOptions& options) {
 
   const auto evaluate = [&](const std::vector<double>& x, std::size_t island) {
     ++result.evaluations;
-    for (const Judged& j : series.measure(x, limits))
-      if (!series.expected(j.residual.output, j.residual.band))
-        for (Climb& c : climbs) c.take(j, x, island, result.evaluations);
+    try {
+      for (const Judged& j : series.measure(x, limits))
+        if (!series.expected(j.residual.output, j.residual.band))
+          for (Climb& c : climbs) c.take(j, x, island, result.evaluations);
+    } catch (const GivenUp&) {  // the search ends
+      --result.evaluations;
+    }
   };
 
   double share = 0;

@@ -13,6 +13,12 @@ namespace liecheck::properties {
 /// Set by a signal and polled by long work. The step in progress is finished or dropped; no new one begins.
 inline std::atomic<bool> stop_requested{false};
 
+/// When the first signal came, in milliseconds of the steady clock; 0 before.
+inline std::atomic<long> signalled_at{0};
+
+/// Whether SIGALRM has a handler, which says what the program waits for: then it is sent a second after the signal.
+inline std::atomic<bool> tells_what_it_waits_for{false};
+
 /// While one exists, a signal sets stop_requested instead of ending the program.
 class Unfinished {
  public:
@@ -31,7 +37,8 @@ class Unfinished {
 /// no law takes it for a refusal.
 struct GivenUp {};
 
-/// While one exists, slow calls of adapters on this thread are given up at stop_requested and after `until`.
+/// While one exists, slow calls of adapters on this thread are given up at stop_requested and after `until`. Soon after a
+/// signal, those of every thread are given up: what is printed at the end may call an adapter only if that is fast.
 class GivesUp {
  public:
   using Clock = std::chrono::steady_clock;
@@ -39,9 +46,14 @@ class GivesUp {
   ~GivesUp() { until_ = never; }
   GivesUp(const GivesUp&) = delete;
   GivesUp& operator=(const GivesUp&) = delete;
-  static bool now() { return until_ != never && (stop_requested || Clock::now() > until_); }
+  static bool now() {
+    const long signal = signalled_at;
+    return (until_ != never && (stop_requested || Clock::now() > until_)) ||
+           (signal && Clock::now().time_since_epoch() > std::chrono::milliseconds(signal) + grace);
+  }
 
  private:
+  static constexpr std::chrono::milliseconds grace{700};
   static constexpr Clock::time_point never = Clock::time_point::max();
   static inline thread_local Clock::time_point until_ = never;
 };

@@ -1,5 +1,6 @@
 // A shared library whose functions behave badly in one of many ways, which LIECHECK_BAD names. Each input with
 // |phi_x| between 0.5 and 1 makes it do so, or every input in the way `always`; for the others, its exp3_quaternion is right.
+// Once the file exists that LIECHECK_HANGS names, each of these inputs adds a character to it and never returns.
 
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -28,6 +30,10 @@ double last_x = 0, previous_x = 0;
 
 /// What happens before the result of an input is computed.
 void misbehave(double* phi, double* Q, unsigned char* status) {
+  if (const char* const hangs = std::getenv("LIECHECK_HANGS"); hangs && access(hangs, F_OK) == 0) {
+    std::ofstream(hangs, std::ios::app) << '.' << std::flush;
+    for (;;) pause();
+  }
   if (way() == "segfault") std::raise(SIGSEGV);
   if (way() == "abort") std::abort();
   if (way() == "loop" || way() == "always")

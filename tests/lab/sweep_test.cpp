@@ -239,5 +239,17 @@ TEST(Sweep, StopsOnRequestAndThenGivesNoUpperBound) {
   EXPECT_FALSE(r.upper_bound());
 }
 
+TEST(Sweep, StopsAfterTheBlockOfFloatsInWhichTheRequestCame) {
+  std::atomic<bool> stop{false};
+  SweepOptions options;
+  options.stop = &stop;
+  const SweepResult r = sweep(options, {planted([&](float x) {
+                                stop = true;
+                                return short_series(x, 9);
+                              })});
+  EXPECT_FALSE(r.complete);
+  EXPECT_EQ(r.coefficients.at(0).evaluated, 1U << 12);
+}
+
 }  // namespace
 }  // namespace liecheck::properties

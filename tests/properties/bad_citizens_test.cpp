@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -171,6 +173,43 @@ TEST(BadCitizens, ThatNeverAnswerEndWithTheCampaignAndAreNamed) {
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 20);
     EXPECT_NE(text.find("bad: exp"), text.npos) << text;
   }
+}
+
+// After a signal, no command waits for the end of a call or takes what it gave up for a result, and what is printed at
+// the end begins at most one call that never returns.
+TEST(BadCitizens, ThatNeverAnswerAreGivenUpAfterASignal) {
+  const std::string hangs = liecheck::scratch() + "hangs";
+  for (const auto& [command, first] : {std::pair("hard-cases -j 1", true),
+                                       {"hunt --subject bad --op exp3_quaternion", true},
+                                       {"campaign --no-hard-cases --no-probe -j 1 --cases 1000000", false}}) {
+    std::filesystem::remove(hangs);
+    if (first) std::ofstream(hangs).close();
+    const auto [code, text] = shell(fmt::format(
+        "(LIECHECK_BAD=nan LIECHECK_HANGS={0} timeout 60 " LIECHECK_PROGRAM
+        " {1} --adapter " LIECHECK_BAD_CITIZENS " & p=$!; sleep 3; touch {0}; kill -TERM $p; wait $p)",
+        hangs, command));
+    EXPECT_EQ(code, 3) << command << text;
+    EXPECT_EQ(text.find("in time"), text.npos) << command << text;
+    EXPECT_LE(std::filesystem::file_size(hangs), 2U) << command << text;
+    if (first) {
+      EXPECT_GT(std::filesystem::file_size(hangs), 0U) << command << text;
+    } else {
+      EXPECT_NE(text.find("interrupted: this case is not measured again"), text.npos) << text;
+    }
+  }
+}
+
+TEST(BadCitizens, ThatNeverAnswerInTheProcessOfTheProgramAreNamedAfterASignal) {
+  const std::string said = liecheck::scratch() + "said";
+  const auto [code, text] =
+      shell("(LIECHECK_BAD=always timeout 60 " LIECHECK_PROGRAM
+            " campaign --no-hard-cases --no-probe -j 1 --adapter in-process:" LIECHECK_BAD_CITIZENS " 2>" +
+            said +
+            " & p=$!; sleep 2; kill -TERM $p; for i in $(seq 300); do grep 'bad: exp3_quaternion runs in "
+            "this process' " +
+            said + " && break; sleep 0.1; done; kill -HUP $p; wait $p)");
+  EXPECT_NE(text.find("a second signal ends the program"), text.npos) << text;
+  EXPECT_EQ(code, 128 + SIGHUP) << text;
 }
 
 // Of an adapter that takes trees from URDFs only, a campaign without one does not call the functions on trees.
