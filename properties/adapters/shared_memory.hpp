@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <support/stop.hpp>
 #include <thread>
 
 namespace liecheck::properties::adapters {
@@ -40,12 +41,13 @@ struct Parts {
 
 /// Waits until `ready`: first it looks, then it leaves its processor to others for about a millisecond, in which a
 /// campaign makes the next inputs, then sleep() returns when the other side wakes this one, which takes as long as 50
-/// cases. It looks less often after looking did not help, because then the other side has no processor of its own.
+/// cases. It looks less often after looking did not help, because then the other side has no processor of its own. On a
+/// busy machine, leaving the processor takes seconds, so that at stop_requested sleep() comes at once, which may give up.
 template <class Ready, class Sleep>
 void wait_for(std::atomic<bool>& sleeps, const Ready& ready, const Sleep& sleep) {
   constexpr int most = 4000, least = 150, yields = 1000;
   thread_local int looks = most;
-  for (int i = 0; i < looks + yields; ++i) {
+  for (int i = 0; i < looks + yields && !stop_requested; ++i) {
     if (ready()) {
       looks = i < looks ? std::min(most, 2 * looks) : std::max(least, looks / 4);
       return;

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <adapters/check.hpp>
+#include <adapters/shared_memory.hpp>
 #include <adapters/subjects.hpp>
 #include <array>
 #include <cstdlib>
@@ -321,6 +322,17 @@ TEST(Adapters, TheListForAdaptersInCppHasEveryOperation) {
   std::ostringstream text;
   text << std::ifstream(LIECHECK_FIXTURES "/../properties/adapters/liecheck_operations.inc").rdbuf();
   EXPECT_EQ(text.str(), expected) << expected;
+}
+
+TEST(SharedMemory, IsNotLookedAtAgainAndAgainAfterARequestToStop) {
+  std::atomic<bool> sleeps{false};
+  int looks = 0;
+  bool slept = false;
+  stop_requested = true;
+  wait_for(
+      sleeps, [&] { return ++looks, slept; }, [&] { slept = true; });
+  stop_requested = false;
+  EXPECT_EQ(looks, 2);  // before and after it slept
 }
 
 }  // namespace
