@@ -50,10 +50,9 @@ std::string csv(const Merged& merged) {
 ReportFiles write_report(const std::vector<std::filesystem::path>& records,
                          const std::filesystem::path& out_dir) {
   const Merged merged = merge_records(records);
-  const Json numbers = {{"records", merged.records}, {"results", merged.results}};
-  Json whole = numbers;
+  Json whole = {{"records", merged.records}, {"results", merged.results}};
+  const std::string html = page(merged, whole);
   for (const auto& [kind, all] : merged.measurements) whole[kind] = all;
-  const std::string html = page(merged, numbers);
   properties::make_folder("--out", out_dir.string());
   const ReportFiles files{properties::file_in(out_dir, "report.html"),
                           properties::file_in(out_dir, "report.json"),

@@ -149,7 +149,7 @@ json record_of(const SceneSweepResult& r) {
                  {"peers", list_of(r.peers, peer_record)},
                  {"spins", list_of(r.spins, spin_record)},
                  {"flips", list_of(r.flips, flips_record)}};
-  if (r.for_report) {
+  if (r.for_report && r.complete) {  // a sweep that was stopped does not wait for them
     record["costs"] = list_of(stage_costs(), cost_record);
     record["films"] = list_of(films(), film_record);
   }

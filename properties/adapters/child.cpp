@@ -13,6 +13,7 @@
 #include <adapters/noise.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -22,6 +23,14 @@
 
 namespace liecheck::properties::adapters {
 namespace {
+
+/// The process groups of the adapters that run, or 0.
+std::array<std::atomic<pid_t>, 256> groups{};
+
+void replace_group(pid_t from, pid_t to) {
+  for (auto& group : groups)
+    if (pid_t expected = from; group.compare_exchange_strong(expected, to)) return;
+}
 
 constexpr std::size_t longest_line = 1 << 16;
 constexpr off_t most_errors = 1 << 20;           ///< that are kept [bytes]
@@ -59,6 +68,11 @@ std::string ending(int status) {
 
 }  // namespace
 
+void kill_children() {
+  for (const auto& group : groups)
+    if (const pid_t id = group; id > 0) kill(-id, SIGKILL);
+}
+
 std::string quoted(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
@@ -89,6 +103,7 @@ Child::Child(const std::string& command, double timeout_s) {
   }
   close(in[0]), close(out[1]);
   if (pid_ < 0) close(to_), close(from_), fail("cannot be started: no process");
+  replace_group(0, pid_);
   for (int fd : {to_, from_}) fcntl(fd, F_SETFL, O_NONBLOCK);
 }
 
@@ -98,6 +113,7 @@ Child::~Child() {
     kill(-pid_, SIGKILL), kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
   }
+  if (pid_ > 0) replace_group(pid_, 0);
   pass_on(errors());
   if (errors_ >= 0) close(errors_);
 }

@@ -13,6 +13,9 @@ struct TimedOut : AdapterFailed {
   using AdapterFailed::AdapterFailed;
 };
 
+/// Kills every adapter and what it has started. It is safe in the handler of a signal, after which the program ends.
+void kill_children();
+
 /// At most 60 printable characters of what an adapter wrote.
 std::string quoted(std::string text);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <adapters/check.hpp>
+#include <adapters/child.hpp>
 #include <adapters/subjects.hpp>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ extern "C" void on_signal(int number) {
   if (!Unfinished::any()) {
     constexpr char said[] = "interrupted\n";
     [[maybe_unused]] const auto written = ::write(2, said, sizeof said - 1);
+    adapters::kill_children();
     ::_exit(incomplete);
   }
   timespec t;
@@ -34,6 +36,7 @@ extern "C" void on_signal(int number) {
   if (signalled_at.compare_exchange_strong(first, now)) {
     if (tells_what_it_waits_for) ::alarm(1);
   } else if (now - first > 300) {
+    adapters::kill_children();
     std::signal(number, SIG_DFL), std::raise(number);
   }
   stop_requested = true;

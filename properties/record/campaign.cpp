@@ -278,7 +278,7 @@ json record_of(const StoredRun& run) {
 
 void add_part(json& record, const std::string& key, json part) {
   if (part.is_null()) return;
-  part.erase("environment");  // the campaign's record has it
+  if (key != "cost") part.erase("environment");  // the campaign's record has it, without what concerns times
   if (part.value("verdict", "") == "fail") record["verdict"] = "fail";
   record[key] = std::move(part);
 }

@@ -40,6 +40,19 @@ std::pair<pid_t, int> start(std::vector<std::string>& arguments) {
   return {id, ends[0]};
 }
 
+/// Sends SIGTERM, at which the process ends what it has started, and SIGKILL if it still runs half a second later.
+void end(pid_t id) {
+  ::kill(id, SIGTERM);
+  for (int looks = 0; looks < 50; ++looks) {
+    siginfo_t ended{};
+    if (::waitid(P_PID, static_cast<id_t>(id), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        ended.si_pid == id)
+      return;
+    ::usleep(10'000);
+  }
+  ::kill(id, SIGKILL);
+}
+
 }  // namespace
 
 std::optional<std::string> output_of_own_process(std::vector<std::string> arguments,
@@ -58,7 +71,7 @@ std::optional<std::string> output_of_own_process(std::vector<std::string> argume
   }
   ::close(from);
   const bool too_late = late();
-  if (stop || too_late) ::kill(id, SIGKILL);
+  if (stop || too_late) end(id);
   int status = 0;
   while (::waitpid(id, &status, 0) < 0 && errno == EINTR) {
   }

@@ -424,5 +424,25 @@ TEST_F(StoppedProgram, EndsWhileItsOutputIsNotRead) {
   ::close(reader);
 }
 
+TEST_F(StoppedProgram, EndsWhatTheShellOfAnAdapterStarted) {
+  std::ofstream(folder_ / "start") << "echo $$ >id; exec sleep 1000\n";
+  Process p(folder_, "adapter check 'sh ./start; true'");
+  std::string id;
+  for (int looks = 0; looks < 600 && !id.ends_with('\n'); ++looks) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    id = read(folder_ / "id");
+  }
+  ASSERT_TRUE(id.ends_with('\n'));
+  const std::string started = fmt::format("/proc/{}/cmdline", std::stoi(id));
+  EXPECT_NE(read(started), "");
+  p.signal(SIGTERM);
+  EXPECT_TRUE(p.ends_within(hang));
+  EXPECT_EQ(p.code(), 3);
+  for (int looks = 0; looks < 100 && !read(started).empty(); ++looks)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(read(started), "");
+  if (!read(started).empty()) ::kill(std::stoi(id), SIGKILL);
+}
+
 }  // namespace
 }  // namespace liecheck::properties
