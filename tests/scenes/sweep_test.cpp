@@ -7,6 +7,8 @@
 #include <integrators/make_runner.hpp>
 #include <integrators/spins.hpp>
 #include <integrators/sweep.hpp>
+#include <nlohmann/json.hpp>
+#include <results/scenes.hpp>
 #include <scenes/benchmark.hpp>
 #include <set>
 
@@ -172,6 +174,14 @@ TEST(Peers, AreComparedWithOurFastestPointWhoseErrorIsNoLarger) {
   c = compare_peers({s});
   EXPECT_FALSE(c[1].unmatched);
   EXPECT_DOUBLE_EQ(c[1].ratio, 100.0 / 40);
+}
+
+TEST(SceneSweep, ThatWasStoppedMakesNoFilms) {
+  SceneSweepResult r;
+  r.for_report = true;
+  EXPECT_FALSE(record_of(r).contains("films"));
+  r.complete = true;
+  EXPECT_TRUE(record_of(r).contains("films"));
 }
 
 }  // namespace
