@@ -152,6 +152,18 @@ TEST(Estimate, AccusesNoSceneOfTheFixturesButThoseThatAmplifyRoundingErrors) {
   }
 }
 
+/// Its contacts last 5 ms, two steps, which steps three times as long would miss.
+TEST(Estimate, OfABallThatBouncesInShortPhasesCostsHalfOfTheRun) {
+  const scene::Scene s = loadSceneText(
+      "robot: {body: ball, radius: 0.1, mass: 1 kg}\nground: {height: 0}\ninitial: {position: [0, 0, 0.3]}\n"
+      "effects: [gravity, contact: {bodies: all, stiffness: 400 kN/m, dissipation: 0.1}]\nduration: 0.5 s\n"
+      "integrator: {name: rkmk6, step: 2.5 ms}\n");
+  const scene::Run run = scene::run(s, {}, true);
+  EXPECT_GT(run.outcome.phases.count, 0);
+  EXPECT_TRUE(run.estimate->alarms.empty());
+  EXPECT_LE(run.estimate->cost, 0.5) << run.estimate->by;
+}
+
 TEST(Estimate, NamesTheEnergyThatASceneMustKeep) {
   // 1 % of the energy is lost before the error of the angle is 10 rad.
   const scene::Scene s = loadSceneText(

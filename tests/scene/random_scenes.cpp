@@ -13,6 +13,7 @@
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <map>
+#include <numeric>
 #include <random>
 #include <sstream>
 
@@ -270,7 +271,7 @@ struct Judged {
   double excess = 0;  ///< true error / accepted error
   double ratio = 0;   ///< true error / stated error, or 0 without a statement
   double cost = 0;
-  std::string line;
+  std::string finer, line;
 };
 
 Judged judge(const Drawn& drawn, const std::string& folder) {
@@ -283,7 +284,7 @@ Judged judge(const Drawn& drawn, const std::string& folder) {
     return j;
   }
   const scene::Estimate& e = *run.estimate;
-  j.cost = e.cost;
+  j.cost = e.cost, j.finer = e.finer;
   const auto scaled = [&](const Error& x) {
     return std::max(x.position / e.accepted.position, x.angle / e.accepted.angle);
   };
@@ -349,16 +350,19 @@ struct Counts {
   }
   void print(const std::string& name) const {
     std::printf(
-        "%-20s %5ld: right %4ld wrong %3ld (beyond twice %2ld) alarms %4ld (unneeded %2ld) diverged %3ld "
+        "%-40s %5ld: right %4ld wrong %3ld (beyond twice %2ld) alarms %4ld (unneeded %2ld) diverged %3ld "
         "unresolved %3ld"
-        " true/stated %.2f (99 %%: %.3g) cost %.2f\n",
+        " true/stated %.2f (99 %%: %.3g) cost %.2f (mean %.2f, above 0.5 %.1f %%)\n",
         name.c_str(), all, right, wrong, twice, due + unneeded, unneeded, diverged, unresolved,
-        quantile(ratios, 0.5), quantile(ratios, 0.99), quantile(costs, 0.5));
+        quantile(ratios, 0.5), quantile(ratios, 0.99), quantile(costs, 0.5),
+        std::accumulate(costs.begin(), costs.end(), 0.) / std::max(1., double(costs.size())),
+        100. * double(std::ranges::count_if(costs, [](double c) { return c > 0.5; })) /
+            std::max(1., double(costs.size())));
   }
 };
 
 int judgeAll(std::uint64_t seed, long first, long end, const std::string& folder) {
-  Counts total;
+  Counts total, quiet;
   std::map<std::string, Counts> by;
   std::multimap<double, std::string, std::greater<>> worst;
   for (long i = first; i < end; ++i) {
@@ -381,11 +385,18 @@ int judgeAll(std::uint64_t seed, long first, long end, const std::string& folder
     std::printf("%s (%.1f s)\n", line.c_str(), seconds);
     std::fflush(stdout);
     total.count(j), by["method " + drawn.method].count(j);
+    if (j.kind == Kind::Right || j.kind == Kind::Wrong) quiet.count(j);
+    if (!j.finer.empty())
+      by[(j.kind == Kind::Right || j.kind == Kind::Wrong ? "quiet, shorter steps: "
+                                                         : "alarm, shorter steps: ") +
+         j.finer]
+          .count(j);
     for (const std::string& e : drawn.effects) by["effect " + e].count(j);
     if (j.kind == Kind::Wrong) worst.emplace(j.excess, line);
     if (worst.size() > 5) worst.erase(std::prev(worst.end()));
   }
   for (const auto& [name, counts] : by) counts.print(name);
+  quiet.print("all without alarm");
   total.print("all");
   for (const auto& [excess, line] : worst) std::printf("worst: %s\n", line.c_str());
   const double alarms = double(total.due + total.unneeded);

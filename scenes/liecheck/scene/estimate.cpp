@@ -36,6 +36,7 @@ class Estimator {
         points_(points),
         phases_(outcome.phases),
         go_on_(go_on),
+        adaptive_(methodInfo(setup.scene.integrator).adaptive),
         shortened_(outcome.phases.count > 0),
         coordinates_(velocityNames(setup.scene.model)) {
     for (const Request& r : setup.scene.effects)
@@ -47,8 +48,12 @@ class Estimator {
     promised_ = method.order;
     result_.checkpoints = long(points_.size()) - 1;
     setAccepted();
-    const auto coarse = points_.back().step >= 9 ? twin(3) : std::nullopt;
-    const auto coarser = coarse ? twin(9) : std::nullopt;
+    // Longer steps lose contacts that the run resolves in phases shorter than its steps. The phases of its twin are
+    // shorter instead, by half: whatever part of the error they have, its own and that of the steps between add up.
+    // Where phases take most of the run's steps, even shorter ones would cost more than the run.
+    const bool phases = phases_.count > 0 && phases_.count <= 8 * points_.back().step;
+    auto coarse = points_.back().step >= 9 || adaptive_ ? twin(3, phases ? 0.5 : 3) : std::nullopt;
+    const auto coarser = coarse && !phases ? twin(9) : std::nullopt;
     double factor = 1;  // error / difference
     std::optional<Twin> best = coarse;
     bool known = false;
@@ -56,15 +61,28 @@ class Estimator {
       const double D1 = differ(coarse->states), D2 = coarser ? differ(coarse->states, coarser->states) : 0;
       if (coarser && D1 > 0 && D2 > 0)
         result_.order = std::log(D2 / D1) / std::log(coarser->ratio / coarse->ratio);
-      if (observed()) factor = 1 / (std::pow(coarse->ratio, believedOrder()) - 1);
-      known = D1 * factor <= 0.3 && D1 <= 2 &&
-              !phases_.unresolved;  // two differences may have the ratio of an order by chance
+      if (phases)
+        factor = 4. / 3;  // of second order, the least of methods with phases
+      else if (observed())
+        factor = 1 / (std::pow(coarse->ratio, believedOrder()) - 1);
+      // Two differences may have the ratio of an order by chance, and few long steps may not differ by the tolerance.
+      const double E = D1 * factor, order = result_.order.value_or(0);
+      known = points_.back().step >= 9 || (observed() && order < 2 * promised_);
+      known = known && ((D1 <= 10 && E <= (phases_.unresolved ? 0.03 : 0.5)) ||
+                        (E > 30 && observed() && order < 1.5 * promised_ && !phases));
     }
+    if (!known)
+      result_.finer = !coarse              ? "no longer step"
+                      : phases_.unresolved ? "phases not resolved"
+                      : phases             ? "phases"
+                      : observed()         ? "error"
+                                           : "order";
     // Modes above the stability limit that forces bound, such as friction, can hide from longer steps.
     double finer = 0.5;
-    if (known)
+    if (known && !phases)
       if (const auto found = unstable(points_.size() / 2))
-        known = false, finer = std::max(0.5 / found->divisor, 1. / 64);
+        known = false, finer = std::max(0.5 / found->divisor, 1. / 64), result_.finer = "stability";
+    if (!known && coarse && phases) coarse = twin(3);
     for (double ratio = finer; !known;) {
       auto fine = twin(ratio);
       if (!fine) break;
@@ -73,7 +91,7 @@ class Estimator {
       if (coarse && D > 0) result_.order = orderOf(differ(coarse->states) / D, coarse->ratio, fine->ratio);
       const double p = std::min(result_.order.value_or(1), promised_);
       factor = p < 0.5 ? 1 : 1 / (1 - std::pow(fine->ratio, p));
-      known = ratio < 0.2 || ((D * factor < 0.3 || D * factor > 10) && !phases_.unresolved);
+      known = ratio < 0.2 || ((D * factor < 0.5 || D * factor > 10) && !phases_.unresolved);
       ratio = 0.125, best = std::move(fine);
     }
     if (best)
@@ -112,7 +130,7 @@ class Estimator {
     for (const Request& r : setup_.scene.effects)
       if (r.name == "joint_friction" || r.parameters.number("friction", 0) > 0 ||
           r.parameters.number("efficiency", 1) < 1)
-        return !methodInfo(setup_.scene.integrator).adaptive;
+        return !adaptive_;
     return false;
   }
   bool observed() const { return result_.order && *result_.order > 0.5 * promised_; }
@@ -122,7 +140,7 @@ class Estimator {
   double believedOrder() const {
     if (rubs()) return std::min(*result_.order, 1.0);
     if (shortened_) return std::min(*result_.order, 2.0);
-    if (methodInfo(setup_.scene.integrator).adaptive) return std::min(*result_.order, promised_ - 1);
+    if (adaptive_) return std::min(*result_.order, promised_ - 1);
     return *result_.order > 1.2 * promised_ ? promised_ / 2 : std::min(*result_.order, promised_);
   }
 
@@ -168,12 +186,14 @@ class Estimator {
   }
 
   /// A run with about ratio times as long steps, or none if it diverges.
-  std::optional<Twin> twin(double ratio) {
-    result_.by += (result_.by.empty() ? "steps of " : ", ") + decimal(ratio) + " h";
+  std::optional<Twin> twin(double ratio) { return twin(ratio, ratio); }
+  std::optional<Twin> twin(double ratio, double phases) {
+    result_.by += (result_.by.empty() ? "steps of " : ", ") + decimal(ratio) + " h" +
+                  (phases < ratio ? " with shorter phases" : "");
     const double order = methodInfo(setup_.scene.integrator).estimate_order;
-    return twin(ratio, std::max(setup_.scene.options.tolerance * std::pow(ratio, order), 1e-15));
+    return twin(ratio, phases, std::max(setup_.scene.options.tolerance * std::pow(ratio, order), 1e-15));
   }
-  std::optional<Twin> twin(double ratio, double tolerance) {
+  std::optional<Twin> twin(double ratio, double phases, double tolerance) {
     const MethodOptions options{tolerance, [this] { return !go_on_(); }};
     const auto method = makeMethod<Sys>(setup_.scene.integrator, options);
     const double h = setup_.step(), all = double(points_.back().step);
@@ -182,25 +202,25 @@ class Estimator {
     long made = 0;
     for (std::size_t k = 1; k < points_.size(); ++k) {
       const long length = points_[k].step - points_[k - 1].step;
-      const bool divides =
-          ratio < 1 && !method->what().adaptive;  // the steps of the run, each in equal parts
+      const bool divides = ratio < 1 && !adaptive_;  // the steps of the run, each in equal parts
       const long steps = divides ? length : std::max(1L, std::lround(double(length) / ratio));
       Span span{h * double(length), steps, painleve_ ? 1 : 256};
-      span.coarse = ratio;
+      span.coarse = phases;
+      if (divides) span.divide = int(std::ceil(1 / ratio - 1e-9));
       const Outcome o = simulate(setup_.system, *method, now, span, [&](const auto& state, long n) {
         if (painleve_) lookForParadox(state);
         return n % 256 != 0 || go_on_();
       });
       if (o.stopped && o.steps < steps) throw Interrupted();
-      const double parts = divides ? std::ceil(1 / ratio - 1e-9) : 1;
       shortened_ = shortened_ || (ratio > 1 && o.phases.count > 0);
-      made += o.steps * long(parts), result_.cost += double(o.steps) * parts / all;
+      made += o.steps * span.divide;
+      result_.cost += adaptive_ ? double(length) / ratio / all : double(o.steps * span.divide) / all;
       if (o.diverged) return {};
       now.t = points_[k].state.t;
       disturb(now, k);
       twin.states.push_back(now);
     }
-    if (!method->what().adaptive) twin.ratio = all / double(made);
+    if (!adaptive_) twin.ratio = all / double(made);
     return twin;
   }
   void lookForParadox(const State<Sys>& state) {
@@ -277,7 +297,7 @@ class Estimator {
   };
   /// The least stable of 17 checkpoints over the run, of `first` and of the one before it; none if all are stable.
   std::optional<Unstable> unstable(std::size_t first) {
-    if (methodInfo(setup_.scene.integrator).adaptive || setup_.system.nv() > largest_analysed) return {};
+    if (adaptive_ || setup_.system.nv() > largest_analysed) return {};
     const double h = setup_.step();
     std::vector<std::size_t> tried = {first - 1, first};
     for (std::size_t k = 0; k < points_.size(); k += std::max<std::size_t>(1, points_.size() / 16))
@@ -318,8 +338,7 @@ class Estimator {
   std::string smallerStep(double times, bool stiff = false) {
     const std::string or_else = ", or state a larger 'accuracy'";
     advised_ = 0;
-    if (methodInfo(setup_.scene.integrator).adaptive)
-      return "take the tolerance " + decimal(enoughTolerance(), "%.0e") + or_else;
+    if (adaptive_) return "take the tolerance " + decimal(enoughTolerance(), "%.0e") + or_else;
     if (phases_.count > 0) times *= setup_.step() / phases_.shortest;
     if (times > 100) {
       const double accepted = std::min(result_.accepted.position, result_.accepted.angle);
@@ -334,8 +353,8 @@ class Estimator {
   /// of the accepted error. While the longest allowed step limits the steps, a tolerance changes nothing.
   double enoughTolerance() {
     double tolerance = setup_.scene.options.tolerance;
-    for (auto coarse = twin(1, tolerance); tolerance > 1e-13; tolerance /= 10) {
-      const auto fine = twin(1, tolerance / 10);
+    for (auto coarse = twin(1, 1, tolerance); tolerance > 1e-13; tolerance /= 10) {
+      const auto fine = twin(1, 1, tolerance / 10);
       if (coarse && fine && differ(coarse->states) > 0.5 && differ(coarse->states, fine->states) < 1. / 3)
         return tolerance;
       coarse = fine;
@@ -354,6 +373,7 @@ class Estimator {
   const std::vector<Checkpoint<Sys>>& points_;
   const PhaseSteps& phases_;
   const std::function<bool()>& go_on_;
+  bool adaptive_;
   bool shortened_;  ///< the run or a twin with longer steps has shortened steps in a phase
   std::vector<VelocityName> coordinates_;
   std::optional<PainleveTest> painleve_;  ///< until it has found a paradox; none without friction

@@ -5,11 +5,12 @@
 //   a twin with steps of r h:   error of the run = D / (r^p - 1)
 //
 // Twins with steps of about 3 h and 9 h cost 44 % of the run, and their ratio shows the order p. If p is not
-// that of the method, the error is taken to be D itself; if p is above it, only half the order is believed. A run
-// whose error is above 0.3 of the accepted one is compared with a twin of which every step is half as long, also
-// within phases that are shorter than h (phase_check.hpp), and with one of h/8 if the error is then near the
-// accepted one: error = D / (1 - r^p). (Richardson 1911; Hairer, Norsett & Wanner 1993, II.4.) Methods with a
-// tolerance get r^p times the tolerance and r times the longest step.
+// that of the method, the error is taken to be D itself; if p is above it, only half the order is believed. They lose
+// contacts that the run resolves by shorter steps (phase_check.hpp). Such a run has one twin with steps of 3 h and
+// shorter phases, and its error is 4/3 D. Where this leaves open whether the error is accepted, the twin has every
+// step half as long, also within phases, and then h/8 if the error is near the accepted one: error = D / (1 - r^p).
+// (Richardson 1911; Hairer, Norsett & Wanner 1993, II.4.) Methods with a tolerance get r^p times the tolerance and r
+// times the longest step.
 //
 // The error covers the method and the amplified rounding errors. It does not cover what all runs share: the
 // model, the parameters, and features of the motion between checkpoints that no twin meets.
@@ -36,6 +37,7 @@ struct Estimate {
   StateError error, accepted;   ///< accepted has no velocities
   std::optional<double> order;  ///< as observed; none if it was not
   std::string by;               ///< the twins, such as "steps of 3 h, 9 h"
+  std::string finer;            ///< why twins with shorter steps were needed, or empty
   double cost = 0;              ///< steps of the twins / steps of the run
   double seconds = 0;           ///< wall time
   long checkpoints = 0;

@@ -31,13 +31,14 @@ class EventSteps {
   using S = typename Sys::Scalar;
   /// With a method of order 1, steps end only at the events that are known beforehand, and the branches are those at each
   /// evaluation: it keeps its order so, since a force is continuous where its branch changes.
-  EventSteps(Sys& system, const State<Sys>& state, const MethodInfo& method, const S& h, double coarse = 1)
+  EventSteps(Sys& system, const State<Sys>& state, const MethodInfo& method, const S& h, double coarse = 1,
+             int divide = 1)
       : pieces_(system.pieces()),
         switches_(system.switches()),
         before_(state),
         trial_(state),
         beyond_(state),
-        check_(state, method, coarse) {
+        check_(state, method, coarse, divide) {
     skip(state.t);
     learn(system, state);
     switching_ = method.order > 1 && !switches_.none();

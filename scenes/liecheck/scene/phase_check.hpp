@@ -11,8 +11,8 @@
 // accepted, or 8 h after the event: a longer phase is taken in steps of the run, as other motions are. The tolerance is a
 // hundredth of the accepted error of a motion, 1 % of its extent; |v_0|/1000 keeps it above 0 where no force acts.
 //
-// Runs that estimate the error of this one (estimate.hpp) have another r, so that their steps differ inside of phases, too:
-// r > 1 loosens the tolerance, and r < 1 also divides every step, of phases and of parts, into 1/r equal ones.
+// Runs that estimate the error of this one (estimate.hpp) have another r, so that their steps differ inside of phases, too.
+// They may also divide every step, of phases and of parts, into equal ones.
 
 #include <cmath>
 #include <liecheck/scene/integrators/method.hpp>
@@ -31,10 +31,10 @@ template <class Sys>
 class PhaseCheck {
  public:
   using S = typename Sys::Scalar;
-  PhaseCheck(const State<Sys>& state, const MethodInfo& method, double ratio)
+  PhaseCheck(const State<Sys>& state, const MethodInfo& method, double ratio, int divide)
       : twice_(state),
         order_(method.order),
-        divide_(ratio < 1 && !method.adaptive ? int(std::ceil(1 / ratio - 1e-9)) : 1),
+        divide_(divide),
         tolerance_(std::max(1e-4, std::pow(10., -1 - 0.75 * method.order)) * std::pow(ratio, method.order)),
         enabled_(method.order > 1 && !method.adaptive) {}
 
