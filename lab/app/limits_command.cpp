@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
 #include "lab_commands.hpp"
@@ -92,6 +93,8 @@ int run(const Flags& f) {
   check_subjects(subjects);
   if (!f.out.empty() && !std::filesystem::is_directory(f.out))
     throw std::invalid_argument(fmt::format("--out: '{}' is not a folder", f.out));
+  for (const std::string& subject : subjects)
+    if (!f.out.empty()) file_in(f.out, file_of(subject));
   const Robot robot = f.robot.read();
   stop_on_signals();
   const std::uint64_t tree_cases =
@@ -112,7 +115,7 @@ int run(const Flags& f) {
         limits_text(subject, needs,
                     fmt::format("{} times the largest error in {} cases ({} of trees) of seed {}", allowance,
                                 o.cases, tree_cases, o.seed));
-    if (!f.out.empty()) write_whole(std::filesystem::path(f.out) / file_of(subject), text);
+    if (!f.out.empty()) write_whole(file_in(f.out, file_of(subject)), text);
     o.every_kappa = false;
     o.selection.limits = {std::make_shared<const SubjectLimits>(parse_limits(file_of(subject), text))};
     ++o.seed;

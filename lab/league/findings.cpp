@@ -144,12 +144,15 @@ std::pair<std::string, std::string> commands(const json& library, const fs::path
   return {command, shown};
 }
 
-/// Writes the program into the file and runs it.
+/// Writes the program into the file, and runs it from a new folder, since languages import from that of a program.
 Output run_program(const json& library, const fs::path& file, const std::string& program) {
   write_whole(file, program);
-  Output out = output_of(commands(library, file).first);
+  std::string folder = (fs::temp_directory_path() / "liecheck-XXXXXX").string();
+  if (!::mkdtemp(folder.data())) throw std::runtime_error(folder + ": cannot be created");
+  write_whole(folder / file.filename(), program);
+  Output out = output_of(commands(library, folder / file.filename()).first);
   std::error_code error;
-  fs::remove(file.string() + ".out", error);
+  fs::remove_all(folder, error);
   return out;
 }
 

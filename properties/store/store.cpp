@@ -89,8 +89,8 @@ std::set<std::string> structure_of(const SQLite::Database& database) {
   return all;
 }
 
-/// Refuses files beside a store through which SQLite would wait, or write or delete another file: links, pipes, and a journal that names
-/// a second journal, which SQLite deletes after the rollback. liecheck writes no such journal.
+/// Refuses files beside a store through which SQLite would wait, or write or delete another file: links, pipes, and a
+/// journal that names a second one, which SQLite deletes after the rollback. liecheck writes no such journal.
 void check_files_beside(const std::string& path) {
   std::error_code error;
   for (const char* ending : {"-journal", "-wal", "-shm"})
@@ -115,13 +115,14 @@ SQLite::Database open(const std::string& path, bool create) {
   const auto folder = fs::path(path).parent_path();
   if (!exists && ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
     throw error_of(path, fmt::format("cannot be created: {}", std::strerror(errno)));
-  check_files_beside(path);
-  // With "./" in front, names such as ":memory:" and "file:" mean a file. SQLite opens a write-protected file
-  // read-only. A file with a hot journal must be opened for writing, even if it is only read.
+  // A link is resolved first, since SQLite's other files lie beside the file that it leads to. SQLite opens a
+  // write-protected file read-only. A file with a hot journal must be opened for writing, even if it is only read.
   constexpr int busy_timeout = 10000;  // [ms]
   try {
-    return {path[0] == '/' ? path : "./" + path, SQLite::OPEN_READWRITE | (create ? SQLite::OPEN_CREATE : 0),
-            busy_timeout};
+    const std::string file = fs::weakly_canonical(fs::absolute(path), error).string();
+    if (error) throw error_of(path, error.message());
+    check_files_beside(file);
+    return {file, SQLite::OPEN_READWRITE | (create ? SQLite::OPEN_CREATE : 0), busy_timeout};
   } catch (const SQLite::Exception& e) {
     throw error_of(path, reason_of(e, ::access(path.c_str(), R_OK) == 0 ? 0 : errno));
   }

@@ -117,6 +117,14 @@ TEST_F(FindingsOfARecord, RunWhatTheRecordSaysIfThatIsAskedFor) {
   EXPECT_EQ(written(), "in/o/lib_exp3_quaternion.md\nin/o/lib_exp3_quaternion.py\n");
 }
 
+TEST_F(FindingsOfARecord, RunInAFolderOfTheirOwnFromWhichNothingElseIsImported) {
+  fs::create_directories(dir + "in/o");
+  write_whole(dir + "in/o/json.py", "open('ran', 'w')");
+  const std::string run = "ls $(dirname {file}) >../listed; python3 {file}";
+  EXPECT_EQ(findings(record(library("lib", "false", run)), "--run-recorded").code, 0);
+  EXPECT_EQ(read_whole(dir + "listed"), "lib_exp3_quaternion.py\n");
+}
+
 TEST_F(FindingsOfARecord, StayInTheirFolderAndShowNoControlCharacters) {
   const std::string names[] = {"../../x", "/etc/x", "..", "a\x1b[2Jb", std::string("a\0b", 3)};
   for (const std::string& name : names) {

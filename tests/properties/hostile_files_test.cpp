@@ -318,6 +318,10 @@ std::vector<Hostile> all() {
       into("ReportInALink", "$L report r.json --out o", "o/report.html"),
       into("RecordOfAStoreInALink", "$L report s.db --out o", "o/s.json"),
       into("SharedCasesInALink", "$L hard-cases --share o", "o/exp3_quaternion.json"),
+      into("LimitsInALink",
+           "$L lab limits --subject textbook --property exp_oracle --scalar double --cases 2 --check-cases 2 "
+           "--tree-cases 2 -j 1 --out o",
+           "o/textbook.limits"),
       into("TellingsInALink", "$L adapter tellings --cases 1 --out o", "o/plain.urdf"),
       // stores
       store("StoreWithATrigger", replayed, "corrupt: its trigger t is none of a store",
@@ -370,6 +374,10 @@ std::vector<Hostile> all() {
        with_store,
        "s.db-journal: names another file",
        {{"s.db", "store: "}, {"s.db-journal", "journal"}}},
+      {"LinkToAStoreWithAJournalThatDeletes",
+       with_store,
+       "s.db-journal: names another file",
+       {{"real/s.db", "store: "}, {"real/s.db-journal", "journal"}, {"s.db", "-> real/s.db"}}},
       {"StoreWithALinkedJournal",
        replayed,
        "s.db-journal: is a link, a pipe or a folder beside a store",

@@ -133,7 +133,11 @@ class Estimator {
         return !adaptive_;
     return false;
   }
-  bool observed() const { return result_.order && *result_.order > 0.5 * promised_; }
+  /// With a tolerance, an order above the promised one shows that the steps, and not the tolerance, bound the error.
+  bool observed() const {
+    return result_.order && *result_.order > 0.5 * promised_ &&
+           (!adaptive_ || *result_.order < 1.2 * promised_);
+  }
   /// The observed order, at most that of the method. Above it, differences are not yet those of short steps. Friction that
   /// changes its sign within a step leaves every method its first order, and steps in short phases have other ratios, and
   /// so have steps by a tolerance where they end at samples and events.
