@@ -5,6 +5,7 @@
 #include <charconv>
 #include <filesystem>
 #include <stdexcept>
+#include <support/checksum.hpp>
 #include <support/files.hpp>
 
 namespace liecheck::properties {
@@ -28,14 +29,16 @@ bool read_number(const std::string& text, T& value) {
 
 std::string line_of(const LatticeRow& row) {
   const FaultVerdict& v = row.verdict;
-  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.key(), row.family,
-                     found_words[static_cast<std::size_t>(v.found)], v.cases, v.by, v.share, row.judged);
+  const std::string line =
+      fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t", row.key(), row.family,
+                  found_words[static_cast<std::size_t>(v.found)], v.cases, v.by, v.share, row.judged);
+  return line + checksum(line) + "\n";
 }
 
 /// Returns whether the line is a verdict.
 bool read_row(const std::string& line, LatticeRow& row) {
   const std::vector<std::string> f = fields_of(line);
-  if (f.size() != 11) return false;
+  if (f.size() != 12 || f[11] != checksum(line.substr(0, line.size() - f[11].size()))) return false;
   row.subject = f[0], row.operation = f[1], row.block = f[2], row.change = f[3], row.trigger = f[4];
   row.family = f[5], row.verdict.by = f[8];
   const auto* const word = std::find(std::begin(found_words), std::end(found_words), f[6]);
@@ -51,6 +54,8 @@ VerdictFile::VerdictFile(const std::string& name, const std::string& header) : n
   if (name_.empty()) return;
   std::string text = std::filesystem::exists(name_) ? read_whole(name_) : "";
   const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
+  if (whole == 0 && !header.starts_with(text))
+    throw std::runtime_error(fmt::format("{}:1: this run needs '{}', but the file has '{}'", name_, header, text));
   text.resize(whole);
   if (text.empty()) {
     text = header + "\n";

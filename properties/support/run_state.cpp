@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 #include <stdexcept>
+#include <support/checksum.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/read_json.hpp>
@@ -22,6 +23,8 @@ RunState::RunState(const std::string& file, const json& options)
       !before.value("parts", json()).is_object())
     throw std::invalid_argument(
         fmt::format("{}: is no state of a run with the options {}", file_, options.dump()));
+  if (before.value("checksum", json()) != checksum(dumped(before["parts"])))
+    throw std::invalid_argument(file_ + ": was changed since it was written: its checksum is another one");
   all_ = std::move(before);
 }
 
@@ -35,6 +38,7 @@ void RunState::put(const std::string& part, json value, bool later) {
   const auto now = std::chrono::steady_clock::now();
   if (later && now - written_ < std::chrono::seconds(10)) return;
   written_ = now;
+  all_["checksum"] = checksum(dumped(all_["parts"]));
   write_whole(file_, dumped(all_));
 }
 

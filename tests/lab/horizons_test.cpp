@@ -8,8 +8,10 @@
 #include <horizons/scene_horizons.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <support/checksum.hpp>
 #include <support/file_lock.hpp>
 #include <support/files.hpp>
+#include <support/json.hpp>
 #include <support/stop.hpp>
 
 #include "../own_subject.hpp"
@@ -95,9 +97,11 @@ TEST(Horizons, AStateThatDoesNotFitIsRefusedByItsName) {
   const auto whole = nlohmann::json::parse(read_whole(o.state));
   const std::string path = "liecheck double random 0";
   ASSERT_TRUE(whole.at("parts").contains(path));
+  bool sealed = false;
   const auto refusal = [&](const std::function<void(nlohmann::json&)>& change) -> std::string {
     nlohmann::json changed = whole;
     change(changed);
+    if (changed.contains("parts") && sealed) changed["checksum"] = checksum(dumped(changed["parts"]));
     write_whole(o.state, changed.dump());
     return test::refusal([&] { run(); });
   };
@@ -105,6 +109,9 @@ TEST(Horizons, AStateThatDoesNotFitIsRefusedByItsName) {
   const std::string name = o.state + ": ", its = name + "'" + path + "': ";
   EXPECT_EQ(refusal([](auto& j) { j["options"] = "x"; }).substr(0, name.size()), name);
   EXPECT_EQ(refusal([](auto& j) { j.erase("parts"); }).substr(0, name.size()), name);
+  EXPECT_EQ(refusal([&](auto& j) { j["parts"][path]["norm"] = 0; }),
+            name + "was changed since it was written: its checksum is another one");
+  sealed = true;
   for (const char* member : {"n", "norm", "longest", "numbers", "truth", "errors"}) {
     EXPECT_EQ(refusal([&](auto& j) { j["parts"][path].erase(member); }).substr(0, its.size()), its) << member;
     EXPECT_EQ(refusal([&](auto& j) { j["parts"][path][member] = "x"; }).substr(0, its.size()), its) << member;

@@ -321,8 +321,15 @@ TEST_F(VerdictsOfARun, OfAnotherSeedOrABadLineAreRefusedWithTheirPlace) {
   LatticeOptions other = options();
   other.seed = 43;
   EXPECT_NE(error_of(other).find(file_ + ":1: "), std::string::npos) << error_of(other);
-  write_whole(file_, read_whole(file_) + "no verdict\n");
+  const std::string text = read_whole(file_);
+  write_whole(file_, text + "no verdict\n");
   EXPECT_NE(error_of(options()).find(file_ + ":22: "), std::string::npos) << error_of(options());
+  std::string changed = text;
+  changed.replace(text.find("\t50\t"), 4, "\t51\t");
+  write_whole(file_, changed);
+  EXPECT_NE(error_of(options()).find("this is no verdict of lattice"), std::string::npos);
+  write_whole(file_, "a file of somebody else, without an end of its line");
+  EXPECT_NE(error_of(options()).find(file_ + ":1: "), std::string::npos) << error_of(options());
 }
 
 }  // namespace
