@@ -140,11 +140,15 @@ std::string built_in_roster() {
 std::vector<Entry> read_roster(const std::string& file) {
   std::vector<Entry> all;
   const json list = read_json(file);
+  if (!list.is_array()) throw std::invalid_argument(file + ": is no list of adapters: it must begin with '['");
   members_of(file, "list of adapters", [&] {
-    for (const json& e : list)
+    for (const json& e : list) {
+      if (std::ranges::find(all, e.at("name").get<std::string>(), &Entry::name) != all.end())
+        throw std::invalid_argument(fmt::format("{}: has '{}' twice", file, e.at("name").get<std::string>()));
       all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
                      e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
                      e.value("limits", "")});
+    }
   });
   return all;
 }

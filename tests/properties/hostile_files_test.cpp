@@ -46,6 +46,7 @@ const std::string end = "\nintegrator: {name: rkmk4, step: 1 ms}\nduration: 2 ms
                       "<link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
                       "ixz='0' iyz='0'/></inertial></link>",
                   campaign = "campaign --no-hard-cases --property twist --scalar double --cases 3 -j 1 ",
+                  one_adapter = R"({"name": "x", "language": "C", "adapter": "false", "get": "", "run": ""})",
                   with_store = "$L export s.db", merged = "$L merge m.db s.db",
                   replayed = "$L " + campaign + "--seed 2 --store s.db";
 
@@ -286,6 +287,14 @@ std::vector<Hostile> all() {
        "$L lab league --adapters a.json",
        "a.json: is no list of adapters: ",
        {{"a.json", "\"x\""}}},
+      {"ListOfAdaptersThatIsNull",
+       "$L lab league --adapters a.json",
+       "a.json: is no list of adapters: ",
+       {{"a.json", "null"}}},
+      {"ListOfAnAdapterTwice",
+       "$L lab league --adapters a.json",
+       "a.json: has 'x' twice",
+       {{"a.json", "[" + one_adapter + ", " + one_adapter + "]"}}},
       {"LeagueOfAnotherKind",
        "$L lab league changes r.json r.json",
        "r.json: is no record of the league",
