@@ -164,6 +164,26 @@ TEST(Estimate, OfABallThatBouncesInShortPhasesCostsHalfOfTheRun) {
   EXPECT_LE(run.estimate->cost, 0.5) << run.estimate->by;
 }
 
+/// Longer steps and a larger tolerance differ by 9.7 orders here, since steps end at events and samples.
+TEST(Estimate, BelievesNoOrderAboveThatOfAToleranceAtAll) {
+  const auto balls = [](const std::string& tolerance) {
+    return loadSceneText(
+        "robot: {bodies: [{name: a, body: ball, radius: 0.1, mass: 0.93, position: [0.00995, -0.0744, "
+        "0.419], velocity: [0.55, 0.21, -0.14]}, {name: b, body: ball, radius: 0.1, mass: 2, position: "
+        "[0.271, 0.027, 0.321], velocity: [-0.21, -0.048, 0.12]}]}\nground: {height: 0}\neffects: [gravity, "
+        "collisions: {bodies: all, stiffness: 1730, dissipation: 0.77, friction: 0.84, slip: 0.028}, contact: "
+        "{bodies: all, stiffness: 2.31e5, dissipation: 1.9}, buoyancy: {frame: a, volume: 0.0012}]\n"
+        "duration: 0.24\noutput: {every: 0.012}\nintegrator: {name: dopri5, tolerance: " +
+        tolerance + "}\n");
+  };
+  const scene::Run run = scene::run(balls("3e-7"), {}, true), truth = scene::run(balls("1e-13"));
+  double error = 0;
+  for (const int body : {0, 7})
+    error = std::max(error, (run.q.segment<3>(body) - truth.q.segment<3>(body)).norm());
+  EXPECT_GT(run.estimate->order.value_or(0), 6);
+  EXPECT_GT(run.estimate->error.position, error / 5);
+}
+
 TEST(Estimate, NamesTheEnergyThatASceneMustKeep) {
   // 1 % of the energy is lost before the error of the angle is 10 rad.
   const scene::Scene s = loadSceneText(
