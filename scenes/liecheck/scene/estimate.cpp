@@ -58,7 +58,7 @@ class Estimator {
     std::optional<Twin> best = coarse;
     bool known = false;
     if (coarse) {
-      const double D1 = differ(coarse->states), D2 = coarser ? differ(coarse->states, coarser->states) : 0;
+      const double D1 = differ(coarse->states), D2 = coarser ? differ(coarse->states, &coarser->states) : 0;
       if (coarser && D1 > 0 && D2 > 0)
         result_.order = std::log(D2 / D1) / std::log(coarser->ratio / coarse->ratio);
       if (phases)
@@ -71,12 +71,8 @@ class Estimator {
       known = known && ((D1 <= 10 && E <= (phases_.unresolved ? 0.03 : 0.5)) ||
                         (E > 30 && observed() && order < 1.5 * promised_ && !phases));
     }
-    if (!known)
-      result_.finer = !coarse              ? "no longer step"
-                      : phases_.unresolved ? "phases not resolved"
-                      : phases             ? "phases"
-                      : observed()         ? "error"
-                                           : "order";
+    if (!known) result_.finer = observed() ? "error" : "order";
+    if (!known && (!coarse || phases)) result_.finer = coarse ? "phases" : "no longer step";
     // Modes above the stability limit that forces bound, such as friction, can hide from longer steps.
     double finer = 0.5;
     if (known && !phases)
@@ -122,16 +118,15 @@ class Estimator {
 
   /// True if an effect has a force that begins or ends where the state decides.
   bool jumps() const {
-    for (const Request& r : setup_.scene.effects)
-      if (r.name == "contact" || r.name == "collisions" || r.name == "joint_limits") return true;
-    return false;
+    return std::ranges::any_of(setup_.scene.effects, [](const Request& r) {
+      return r.name == "contact" || r.name == "collisions" || r.name == "joint_limits";
+    });
   }
   bool rubs() const {
-    for (const Request& r : setup_.scene.effects)
-      if (r.name == "joint_friction" || r.parameters.number("friction", 0) > 0 ||
-          r.parameters.number("efficiency", 1) < 1)
-        return !adaptive_;
-    return false;
+    return !adaptive_ && std::ranges::any_of(setup_.scene.effects, [](const Request& r) {
+      return r.name == "joint_friction" || r.parameters.number("friction", 0) > 0 ||
+             r.parameters.number("efficiency", 1) < 1;
+    });
   }
   /// With a tolerance, an order above the promised one shows that the steps, and not the tolerance, bound the error.
   bool observed() const {
@@ -164,15 +159,11 @@ class Estimator {
   double scaled(const StateError& e) const {
     return std::max(e.position / result_.accepted.position, e.angle / result_.accepted.angle);
   }
-  double differ(const std::vector<State<Sys>>& states) const {
+  /// The largest difference from the run, or from `others`.
+  double differ(const std::vector<State<Sys>>& states, const std::vector<State<Sys>>* others = nullptr) const {
     double largest = 0;
     for (std::size_t k = 0; k < states.size(); ++k)
-      largest = std::max(largest, scaled(difference(points_[k].state, states[k])));
-    return largest;
-  }
-  double differ(const std::vector<State<Sys>>& a, const std::vector<State<Sys>>& b) const {
-    double largest = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, scaled(difference(a[k], b[k])));
+      largest = std::max(largest, scaled(difference(others ? (*others)[k] : points_[k].state, states[k])));
     return largest;
   }
   /// Without a stated accuracy, an error of 1 % of the extent of the motion is accepted, and at least 1e-6.
@@ -359,7 +350,7 @@ class Estimator {
     double tolerance = setup_.scene.options.tolerance;
     for (auto coarse = twin(1, 1, tolerance); tolerance > 1e-13; tolerance /= 10) {
       const auto fine = twin(1, 1, tolerance / 10);
-      if (coarse && fine && differ(coarse->states) > 0.5 && differ(coarse->states, fine->states) < 1. / 3)
+      if (coarse && fine && differ(coarse->states) > 0.5 && differ(coarse->states, &fine->states) < 1. / 3)
         return tolerance;
       coarse = fine;
     }
