@@ -196,11 +196,14 @@ TEST(Terrain, BadGroundIsRefusedWithARemedy) {
             "s.yaml:2: ground.heights has 1 numbers in row 2 and 2 in row 1: rows must have the same length");
   EXPECT_EQ(ground("heights: [[0, 0]], spacing: [1, 1]"),
             "s.yaml:2: ground.heights needs at least two rows of two numbers");
-  EXPECT_EQ(ground("heights: bad.csv, spacing: [1, 1]"), "s.yaml:2: line 2: 'x' is not a number");
+  EXPECT_EQ(ground("heights: bad.csv, spacing: [1, 1]"),
+            "s.yaml:2: ground.heights: " + testing::TempDir() + "bad.csv: line 2: 'x' is not a number");
   EXPECT_EQ(ground("heights: [[0, 0], [0, 0]]"),
             "s.yaml:2: ground.heights needs 'spacing: [dx, dy]', the distances of columns and rows");
-  EXPECT_EQ(ground("mesh: empty.obj"), "s.yaml:2: the ground has no triangle with an area");
-  EXPECT_EQ(ground("mesh: bad.obj"), "s.yaml:2: line 2: there is no vertex 2");
+  EXPECT_EQ(ground("mesh: empty.obj"),
+            "s.yaml:2: ground.mesh: " + testing::TempDir() + "empty.obj: no triangle has an area");
+  EXPECT_EQ(ground("mesh: bad.obj"),
+            "s.yaml:2: ground.mesh: " + testing::TempDir() + "bad.obj: line 2: there is no vertex 2");
   EXPECT_EQ(ground("mesh: bad.csv"), "s.yaml:2: ground.mesh is the name of an .stl or .obj file");
   EXPECT_EQ(ground("normal: [0, 0, 1], mesh: empty.obj"),
             "s.yaml:2: ground has more than one of 'normal', 'heights' and 'mesh': keep one");

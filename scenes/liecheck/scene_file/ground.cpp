@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -5,6 +6,7 @@
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/urdf/attributes.hpp>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace liecheck::scene_file_detail {
@@ -17,7 +19,7 @@ using Point = std::array<double, 3>;
 constexpr std::size_t max_file_bytes = std::size_t(64) << 20, max_triangles = 200'000,
                       max_line_bytes = std::size_t(4) << 20;
 
-/// Collects triangles. Those without area are left out; vertices with the same numbers are one.
+/// Collects triangles. Those without area and repetitions are left out; vertices with the same numbers are one.
 class Triangles {
  public:
   void add(const Point& a, const Point& b, const Point& c) {
@@ -25,7 +27,10 @@ class Triangles {
     const Vector3<double> across = (y - x).cross(z - x);
     if (!std::isfinite(across.squaredNorm())) throw std::invalid_argument("a vertex is not finite");
     if (!(across.squaredNorm() > 0)) return;
-    mesh.triangles.push_back({index(a), index(b), index(c)});
+    std::array<std::size_t, 3> t{index(a), index(b), index(c)}, first = t;
+    std::ranges::rotate(first, std::ranges::min_element(first));
+    if (!seen_.insert(first).second) return;
+    mesh.triangles.push_back(t);
     if (mesh.triangles.size() > max_triangles)
       throw std::invalid_argument("more than " + std::to_string(max_triangles) +
                                   " triangles: take a coarser one");
@@ -39,6 +44,7 @@ class Triangles {
     return found->second;
   }
   std::map<Point, std::size_t> indices_;
+  std::set<std::array<std::size_t, 3>> seen_;  // each with its smallest index first
 };
 
 /// The words of a line.
@@ -85,6 +91,9 @@ void readStl(const std::string& content, Triangles& to) {
     corners.push_back({numberOf(w[1], line), numberOf(w[2], line), numberOf(w[3], line)});
     if (corners.size() % 3 == 0) to.add(corners.end()[-3], corners.end()[-2], corners.end()[-1]);
   });
+  if (corners.empty())
+    throw std::invalid_argument(std::to_string(count) + " triangles in " + std::to_string(content.size()) +
+                                " bytes: the STL file is cut off, or is none");
 }
 
 /// The vertices and faces of an OBJ file. A face of more than three vertices is a fan.
@@ -127,15 +136,20 @@ void addHeights(const std::vector<std::vector<double>>& rows, const std::vector<
     }
 }
 
-std::string fileOf(const Text& text, const YAML::Node& node, const std::string& what) {
+/// Calls f(content) with the content of the file that `node` names. Errors of both name the file.
+template <class F>
+void readFile(const Text& text, const YAML::Node& node, const std::string& what, F f) {
   const std::string path = text.path(node, what);
   try {
     std::string content = readTextFile(path, max_file_bytes);
-    if (content.size() <= max_file_bytes) return content;
+    if (content.size() > max_file_bytes)
+      throw std::invalid_argument("longer than " + std::to_string(max_file_bytes) + " bytes");
+    f(content);
   } catch (const FileError& e) {
     text.refuse(node, what + ": " + path + ": " + e.what());
+  } catch (const std::invalid_argument& e) {
+    text.refuse(node, what + ": " + path + ": " + e.what());
   }
-  text.refuse(node, what + ": " + path + " is longer than " + std::to_string(max_file_bytes) + " bytes");
 }
 
 std::vector<std::vector<double>> readHeights(const Text& text, const YAML::Node& node) {
@@ -144,25 +158,29 @@ std::vector<std::vector<double>> readHeights(const Text& text, const YAML::Node&
     for (const auto& row : node) rows.push_back(text.numbers(row, "ground.heights", "m"));
     return rows;
   }
-  std::string content = fileOf(text, node, "ground.heights");
-  for (char& c : content)
-    if (c == ',' || c == ';') c = ' ';
-  forEachLine(content, [&](const std::vector<std::string>& line, int number) {
-    if (line.empty()) return;
-    rows.emplace_back();
-    for (const std::string& word : line) rows.back().push_back(numberOf(word, number));
+  readFile(text, node, "ground.heights", [&](std::string& content) {
+    for (char& c : content)
+      if (c == ',' || c == ';') c = ' ';
+    forEachLine(content, [&](const std::vector<std::string>& line, int number) {
+      if (line.empty()) return;
+      rows.emplace_back();
+      for (const std::string& word : line) rows.back().push_back(numberOf(word, number));
+    });
   });
   return rows;
 }
 
 void readMesh(const Text& text, const YAML::Node& node, Triangles& to) {
-  const std::string content = fileOf(text, node, "ground.mesh"), path = node.Scalar();
-  if (path.ends_with(".stl") || path.ends_with(".STL"))
-    readStl(content, to);
-  else if (path.ends_with(".obj") || path.ends_with(".OBJ"))
-    readObj(content, to);
-  else
-    text.refuse(node, "ground.mesh is the name of an .stl or .obj file");
+  readFile(text, node, "ground.mesh", [&](const std::string& content) {
+    const std::string& path = node.Scalar();
+    if (path.ends_with(".stl") || path.ends_with(".STL"))
+      readStl(content, to);
+    else if (path.ends_with(".obj") || path.ends_with(".OBJ"))
+      readObj(content, to);
+    else
+      text.refuse(node, "ground.mesh is the name of an .stl or .obj file");
+    if (to.mesh.triangles.empty()) throw std::invalid_argument("no triangle has an area");
+  });
 }
 
 }  // namespace
@@ -201,7 +219,6 @@ void readGround(const Text& text, const YAML::Node& ground, scene::Scene& scene)
     } else {
       readMesh(text, mesh, all);
     }
-    if (all.mesh.triangles.empty()) throw std::invalid_argument("the ground has no triangle with an area");
     for (Point& p : all.mesh.vertices) p[2] += scene.around.height;
     scene.around.mesh = std::make_shared<const TriangleMesh>(std::move(all.mesh));
   });

@@ -103,7 +103,8 @@ class Terrain {
       t.normal[1 + k] = edge.normal, t.normal[4 + k] = vertices[a];
     });
   }
-  /// About one cell for each pair of triangles, that is, one for each cell of a grid of heights.
+  /// About one cell for each pair of triangles, that is, one for each cell of a grid of heights; larger cells if
+  /// many triangles overlap, so that the grid takes at most 32 MB.
   void addGrid(const TriangleMesh& mesh) {
     Point high = mesh.vertices[mesh.triangles[0][0]];
     low_ = high;
@@ -113,18 +114,33 @@ class Terrain {
           low_[d] = std::min(low_[d], mesh.vertices[v][d]), high[d] = std::max(high[d], mesh.vertices[v][d]);
     const double wide = high[0] - low_[0], deep = high[1] - low_[1];
     cell_ = std::max({std::sqrt(2 * wide * deep / double(triangles_.size())), wide / 1000, deep / 1000});
-    count_ = {int(wide / cell_) + 1, int(deep / cell_) + 1};
+    constexpr std::size_t most_entries = 4'000'000;
+    for (std::size_t entries = most_entries + 1; entries > most_entries; cell_ *= 2) {
+      count_ = {int(wide / cell_) + 1, int(deep / cell_) + 1};
+      entries = 0;
+      for (const auto& t : mesh.triangles) {
+        const auto [from, to] = cellsOf(mesh, t);
+        entries += std::size_t(to[0] - from[0] + 1) * std::size_t(to[1] - from[1] + 1);
+      }
+    }
+    cell_ /= 2;
     cells_.resize(std::size_t(count_[0]) * std::size_t(count_[1]));
     for (std::size_t k = 0; k < triangles_.size(); ++k) {
-      std::array<int, 2> from = count_, to = {0, 0};
-      for (const std::size_t v : mesh.triangles[k])
-        for (std::size_t d = 0; d < 2; ++d) {
-          const int at = place(mesh.vertices[v][d] - low_[d], d);
-          from[d] = std::min(from[d], at), to[d] = std::max(to[d], at);
-        }
+      const auto [from, to] = cellsOf(mesh, mesh.triangles[k]);
       for (int b = from[1]; b <= to[1]; ++b)
         for (int a = from[0]; a <= to[0]; ++a) cells_[std::size_t(b * count_[0] + a)].push_back(k);
     }
+  }
+  /// The first and last column and row of cells that a triangle may touch.
+  std::pair<std::array<int, 2>, std::array<int, 2>> cellsOf(const TriangleMesh& mesh,
+                                                            const std::array<std::size_t, 3>& t) const {
+    std::array<int, 2> from = count_, to = {0, 0};
+    for (const std::size_t v : t)
+      for (std::size_t d = 0; d < 2; ++d) {
+        const int at = place(mesh.vertices[v][d] - low_[d], d);
+        from[d] = std::min(from[d], at), to[d] = std::max(to[d], at);
+      }
+    return {from, to};
   }
   /// The row or column of a coordinate, of the nearest cell if it is outside the grid.
   int place(double x, std::size_t d) const { return int(std::clamp(x / cell_, 0.0, double(count_[d] - 1))); }
