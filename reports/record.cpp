@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <reports/record.hpp>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <support/read_json.hpp>
@@ -38,7 +39,17 @@ void check_relations(std::string_view file, const Json& record) {
   const auto each = [](const std::string& field, const Json& list, auto check) {
     for (std::size_t i = 0; i < list.size(); ++i) check(fmt::format("{}[{}]", field, i), list[i]);
   };
+  /// Refuses a pass of the record beside a part that failed.
+  const auto check_verdict = [&](const std::string& part, bool failed) {
+    if (failed && record["verdict"] == "pass")
+      refuse(file, "verdict", "fail, as " + part + " failed", record["verdict"]);
+  };
   check_seed(file, "seed", record["seed"]);
+  std::set<std::pair<std::string, std::string>> subjects;
+  each("subjects", record["subjects"], [&](const std::string& field, const Json& s) {
+    if (!subjects.emplace(s["name"], s["scalar"]).second)
+      refuse(file, field, "each subject and scalar once", s["name"]);
+  });
   each("results", record["results"], [&](const std::string& field, const Json& row) {
     constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.,:+-";
     if (has_worst(row) && row["worst"]["id"].get<std::string>().find_first_not_of(plain) != std::string::npos)
@@ -49,12 +60,33 @@ void check_relations(std::string_view file, const Json& record) {
                              "unmeasured", "not_repeatable", "argument_written", "output_unwritten",
                              "outside_domain", "crashed", "environment_changed", "printed"})
       at_most(field, row, name, "count");
+    const bool fails = row["status"] == "fail" || row["status"] == "expected";
+    for (const char* name : {"failed", "not_finite", "wrong_branch"})
+      if (!fails && row.value(name, 0) > 0)
+        refuse(file, field + ".status", fmt::format("fail, as {} is {}", name, dumped(row[name])),
+               row["status"]);
+    const char* const error = row["rule"] == "excess" ? "max_excess" : "max_eps";
+    if (!fails && !(figure(row[error]) <= row["budget"]))
+      refuse(file, field + ".status",
+             fmt::format("fail, as {} is {} and the budget {}", error, dumped(row[error]),
+                         dumped(row["budget"])),
+             row["status"]);
+    if (fails && row.value("failed", 1) == 0)
+      refuse(file, field + ".status", "another than fail and expected, as failed is 0", row["status"]);
+    check_verdict(field, row["status"] == "fail");
   });
   each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {
-    for (const Json& cell : hard["cells"])
+    for (const Json& cell : hard["cells"]) {
+      check_verdict(field, cell["failed"]);
       if (const std::string scalar = cell["scalar"]; !hard["input"].contains(scalar))
         throw std::runtime_error(fmt::format("{}: field {}.input.{} is missing", file, field, scalar));
+    }
   });
+  each("cliffs", list_in(record, "cliffs"), [&](const std::string& field, const Json& cliff) {
+    check_verdict(field, cliff["expected"] == false);
+  });
+  for (const char* part : {"sweep", "bounds"})
+    check_verdict(part, record.contains(part) && record[part].value("verdict", "") == "fail");
   if (record.contains("cost")) check_seed(file, "cost.seed", record["cost"]["seed"]);
   if (record.contains("sweep"))
     each("sweep.coefficients", record["sweep"]["coefficients"], [&](const std::string& field, const Json& c) {
@@ -151,6 +183,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
         measurement_kinds, [&](const char* name) { return record.is_object() && record.contains(name); });
     if (kind != std::end(measurement_kinds)) {
       check_schema(path, record, *kind);
+      prune(record, *kind);
       check_measurement(path, *kind, record,
                         [&](const std::vector<std::string>& key) { refuse_twice("rows", "row ", key); });
       merged.measurements[*kind].push_back(std::move(record));
@@ -158,6 +191,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
     }
     check_is_of_a_campaign(path, record);
     check_record(path, record);
+    prune(record);
     for (Json& row : record["results"]) {
       refuse_twice(
           "results", "row ",

@@ -36,6 +36,9 @@ const Json& schema(const std::string& kind = "record");
 /// Refuses the first value of a record that does not satisfy the schema.
 void check_schema(std::string_view file, const Json& record, const std::string& kind = "record");
 
+/// Removes the members that the schema does not know, which later versions may write.
+void prune(Json& record, const std::string& kind = "record");
+
 /// Several records. `records` has each record of a campaign without its rows; `results` has the rows of all, in order.
 struct Merged {
   std::vector<Json> records;

@@ -89,6 +89,18 @@ class Rule {
               std::ranges::all_of(value, [&](const Json& item) { return items_->is_met_by(item); }));
     return !value.is_object() || has_members(value);
   }
+  /// Removes the members that the schema does not know.
+  void prune(Json& value) const {
+    if (value.is_array() && items_)
+      for (Json& item : value) items_->prune(item);
+    if (!value.is_object()) return;
+    for (auto member = value.begin(); member != value.end();) {
+      const auto known = properties_.find(member.key());
+      const Rule* const rule = known != properties_.end() ? &known->second : others_.get();
+      if (rule) rule->prune(*member);
+      member = rule ? std::next(member) : value.erase(member);
+    }
+  }
 
  private:
   void add(const std::string& key, const Json& part) {
@@ -196,6 +208,10 @@ void refuse(std::string_view file, std::string_view field, std::string_view expe
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::runtime_error(fmt::format("{}: field {}: expected {}, found {}", file,
                                        field.empty() ? "(top level)" : field, expected, text));
+}
+
+void prune(Json& record, const std::string& kind) {
+  rule_of(schema(kind)).prune(record);
 }
 
 void check_schema(std::string_view file, const Json& record, const std::string& kind) {

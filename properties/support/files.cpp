@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -89,6 +90,8 @@ std::string read_whole(const fs::path& file, std::size_t most_bytes) {
   const bool pipe = S_ISFIFO(status.st_mode);
   if (S_ISDIR(status.st_mode)) refuse(file, what, "a directory");
   if (!pipe && !S_ISREG(status.st_mode)) refuse(file, what, "neither a regular file nor a pipe");
+  const auto refuse_long = [&] { refuse(file, what, fmt::format("longer than {} bytes", most_bytes)); };
+  if (!pipe && static_cast<std::uintmax_t>(status.st_size) > most_bytes) refuse_long();
   ::fcntl(descriptor, F_SETFL, O_RDONLY);
   std::string bytes;
   char part[1 << 16];
@@ -96,7 +99,7 @@ std::string read_whole(const fs::path& file, std::size_t most_bytes) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse(file, what, std::strerror(errno));
     bytes.append(part, static_cast<std::size_t>(n));
-    if (bytes.size() > most_bytes) refuse(file, what, fmt::format("longer than {} bytes", most_bytes));
+    if (bytes.size() > most_bytes) refuse_long();
   }
   if (pipe && bytes.empty()) refuse(file, what, "a pipe without a writer");
   return bytes;

@@ -8,7 +8,8 @@
 namespace liecheck::properties {
 
 /// Throws std::runtime_error with the name of the file, and line and column: for text that is not JSON, a number beyond
-/// double, a member that is given twice, or lists and objects nested more deeply than deepest_json.
+/// double, a member that is given twice, or lists and objects nested more deeply than deepest_json; read_json also
+/// for a file of more than 128 MiB or six million values.
 nlohmann::json read_json(const std::string& file);
 nlohmann::json json_of(const std::string& file, std::string_view text);
 

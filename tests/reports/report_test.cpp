@@ -91,6 +91,7 @@ TEST_F(Report, PassesNothingThatWasNotMeasured) {
     Json r = record();
     r["results"].erase(1);  // the row of textbook, which fails
     r["subjects"].erase(1);
+    r["verdict"] = "pass";
     change(r);
     fs::remove_all(dir / "deep");
     const std::string page = page_of(r);
@@ -108,6 +109,33 @@ TEST_F(Report, PassesNothingThatWasNotMeasured) {
  "subject": "liecheck", "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
                }),
                "incomplete");
+}
+
+TEST_F(Report, RefusesRecordsThatContradictThemselves) {
+  const std::string verdict = "verdict: expected fail, as ", status = "results[0].status: expected ";
+  const Json pass = without(without(with(record(), "/verdict", "pass"), "/results/1"), "/subjects/1");
+  EXPECT_EQ(refusal_of(pass), "");
+  expect_refused(with(record(), "/verdict", "pass"), verdict + "results[1] failed, found \"pass\"");
+  expect_refused(with(pass, "/hard_cases", Json::array({hard_case("liecheck", "inaccurate")})),
+                 verdict + "hard_cases[0] failed");
+  expect_refused(with(pass, "/cliffs", full_record()["cliffs"]), verdict + "cliffs[0] failed");
+  expect_refused(with(pass, "/sweep", with(swept(), "/verdict", "fail")), verdict + "sweep failed");
+  expect_refused(with(pass, "/results/0/failed", 3), status + "fail, as failed is 3, found \"pass\"");
+  expect_refused(with(pass, "/results/0/not_finite", 1), status + "fail, as not_finite is 1");
+  expect_refused(with(pass, "/results/0/max_eps", 4.5), status + "fail, as max_eps is 4.5 and the budget 4");
+  expect_refused(with(pass, "/results/0/max_eps", "nan"), status + "fail, as max_eps is \"nan\"");
+  const Json excess = with(pass, "/results/0/rule", "excess");
+  EXPECT_EQ(refusal_of(with(excess, "/results/0/max_eps", 9)), "");
+  expect_refused(with(excess, "/results/0/max_excess", 9), status + "fail, as max_excess is 9");
+  expect_refused(with(full_record(), "/results/1/failed", 0), "results[1].status: expected another than");
+  expect_refused(with(record(), "/subjects/1/name", "liecheck"),
+                 "subjects[1]: expected each subject and scalar once");
+}
+
+TEST_F(Report, DropsMembersThatItDoesNotKnow) {
+  Json r = with(with(record(), "/later", {1, 2}), "/results/0/later", 1);
+  const Json whole = parsed(read(report(with(r, "/subjects/0/later", Json::object())).json));
+  EXPECT_EQ(whole, parsed(read(report(record()).json)));
 }
 
 TEST_F(Report, RefusesAMissingRecord) {
@@ -225,7 +253,7 @@ TEST_F(Report, NamesTheFieldOfASweepThatItRefuses) {
 }
 
 TEST_F(Report, ShowsTheMeasurementsOfOtherCommands) {
-  Json good = record();
+  Json good = with(record(), "/verdict", "pass");
   good["results"] = Json::array({row("liecheck", "theta 1e-5..1e-4", 1)});
   good["subjects"].erase(1);
   const fs::path campaign = store("campaign.json", dumped(good));

@@ -30,7 +30,7 @@ Json record() {
    "version": "0.1.0"},
   {"eps": 2.220446049250313e-16, "name": "textbook", "not_offered": ["log6"], "scalar": "double",
    "version": "0.1.0"}],
- "verdict": "pass", "version": "0.1.0"})json");
+ "verdict": "fail", "version": "0.1.0"})json");
   all["results"] = {row("liecheck", "theta 1e-5..1e-4", 0.5), row("textbook", "theta 1e-5..1e-4", 2311.5)};
   return all;
 }
@@ -81,7 +81,7 @@ Json hard_case(const std::string& subject, const std::string& verdict) {
  "rule": "forward", "scalar": "double"})json");
   cell["subject"] = subject;
   cell["verdict"] = verdict;
-  cell["failed"] = verdict != "stable";
+  cell["failed"] = verdict != "stable" && verdict != "unresolved";
   cell["error"] = verdict == "stable" ? Json(0) : Json("inf");
   cell["replay"] = "liecheck replay raw.exp_oracle." + subject + ".double.none.0x0p+0";
   Json all = parsed(
@@ -196,7 +196,8 @@ Json full_record() {
  "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle",
    "source": "definition"}]})json"));
   for (Json& r : all["results"])
-    r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}, {"unmeasured", 0}});
+    r.update(
+        {{"reason", "why"}, {"refused", 0}, {"failed", r["status"] == "fail" ? 5 : 0}, {"unmeasured", 0}});
   all["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double", "subject": "liecheck",
  "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
   for (Json& r : all["results"])
