@@ -29,12 +29,16 @@ struct SceneRunFlags {
   bool no_estimate = false;
 };
 
+std::string head_of(const std::vector<scene::Column>& columns) {
+  std::string text;
+  for (const auto& c : columns)
+    text += (text.empty() ? "" : ",") + csv_field(fmt::format("{} [{}]", c.name, c.unit));
+  return text + '\n';
+}
+
 /// The samples. Each number is the shortest decimal that reads back as the same double.
 std::string csv_of(const scene::Run& run) {
-  std::string text;
-  for (std::size_t i = 0; i < run.columns.size(); ++i)
-    text += (i ? "," : "") + csv_field(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
-  text += '\n';
+  std::string text = head_of(run.columns);
   for (std::size_t i = 0; i < run.rows.size(); ++i)
     text += fmt::format("{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
   return text;
@@ -144,7 +148,7 @@ void check_own_output(const scene::Scene& scene, const char* key, const std::str
   std::string first(begin.size(), '\0');
   if (!fs::is_regular_file(real, error) ||
       !std::ifstream(real).read(first.data(), static_cast<std::streamsize>(first.size())) || first != begin)
-    refuse("exists, and no run of a scene wrote it");
+    refuse("exists, and no run of this scene wrote it");
 }
 
 /// Throws std::invalid_argument if two of the four files are the same.
@@ -171,8 +175,10 @@ int run(const SceneRunFlags& flags) {
   std::vector<std::string> warnings;
   scene::Scene scene = loadScene(flags.file, &warnings, flags.outside);
   print_warnings(warnings);
-  if (flags.csv.empty()) check_own_output(scene, "csv", scene.csv, "t [s]");
-  if (flags.json.empty()) check_own_output(scene, "json", scene.json, "{\n \"columns\":");
+  if (flags.csv.empty() && !scene.csv.empty())
+    check_own_output(scene, "csv", scene.csv, head_of(scene::columnsOf(scene)));
+  if (flags.json.empty())
+    check_own_output(scene, "json", scene.json, "{\n \"columns\": [\n  {\n   \"name\": \"t\",");
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json, flags.checkpoint);

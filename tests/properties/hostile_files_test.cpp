@@ -2,8 +2,8 @@
 // Each row is a hostile file and the command that reads it.
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <fmt/format.h>
@@ -108,6 +108,12 @@ std::string bomb() {
   std::string text = "[&r [" + times(999, "0, ") + "0]";
   return text + times(100'000, ", *r") + "]";
 }
+/// Twenty thousand triangles that overlap.
+std::string pile() {
+  std::string obj = "v 1 0 0\nv 0 1 0\n";
+  for (int k = 1; k <= 20'000; ++k) obj += fmt::format("v 0 0 {}e-7\nf 1 2 {}\n", k, k + 2);
+  return obj;
+}
 /// A rollback journal that names a second journal, which SQLite would delete.
 std::string journal_naming(const std::string& file) {
   const auto number = [](std::uint32_t n) {
@@ -152,6 +158,8 @@ std::vector<Hostile> all() {
       robot("RobotTwoAbove", "../../outside/r.urdf"),
       robot("RobotLinked", "r.urdf", {{"r.urdf", "-> @/outside/r.urdf"}}),
       robot("RobotBesideLinked", "../robots/r.urdf", {{"../robots/r.urdf", "-> @/outside/r.urdf"}}),
+      robot("RobotBelowAFolderBeside", "../a/b/r.urdf", {{"../a/b/r.urdf", "SECRET"}}),
+      robot("RobotAbove", "../r.urdf", {{"../r.urdf", "SECRET"}}),
       robot("RobotOfAnotherKind", "../robots/secret.txt", {{"../robots/secret.txt", "SECRET"}}),
       robot("RobotLinkedToAnotherKind", "r.urdf",
             {{"r.urdf", "-> @/project/secret.txt"}, {"../secret.txt", "SECRET"}}),
@@ -167,6 +175,15 @@ std::vector<Hostile> all() {
        run + " --read-outside ../../outside",
        "s: 0.002 s",
        {{"s.yaml", ball + "ground: {mesh: ../../outside/m.obj}" + end}},
+       0},
+      {"MeshOfTrianglesThatOverlap",
+       run,
+       "s: 0.002 s",
+       {{"s.yaml", ball +
+                       "ground: {mesh: m.obj}\ninitial: {position: [0.2, 0.2, 1]}\n"
+                       "effects: [gravity, contact: {bodies: all, stiffness: 1}]" +
+                       end},
+        {"m.obj", pile()}},
        0},
       {"RobotBeside",
        run,
@@ -186,6 +203,8 @@ std::vector<Hostile> all() {
       output("CsvOfAnotherKind", "csv: Makefile", "csv: 'Makefile' has another ending"),
       output("CsvInPlaceOfAnother", "csv: mine.csv", "csv: 'mine.csv' exists, and no run",
              {{"mine.csv", "a,b\n"}}),
+      output("CsvInPlaceOfATable", "csv: mine.csv", "csv: 'mine.csv' exists, and no run",
+             {{"mine.csv", "t [s],x [m]\n0,1\n"}}),
       output("JsonInPlaceOfAnother", "json: package.json", "json: 'package.json' exists, and no run",
              {{"package.json", "{}"}}),
       output("JsonAbove", "json: ../ran.json", "json: '../ran.json' is outside of the working folder"),
@@ -201,11 +220,14 @@ std::vector<Hostile> all() {
       scene("SceneNamedWithEscapes", "scene: \"a\\e[2J\"\n" + ball, "1: scene holds a control character"),
       scene("SceneWithAKeyOfEscapes", "\"\\e[2J\": 1\n" + ball, "1: "),
       scene("SceneWithAKeyOfC1", "\"\\x9b[2J\": 1\n" + ball, "1: "),
-      ground("HeightsInOneLine", "heights: h.csv, spacing: [1, 1]", "line 1 is longer than",
-             {{"h.csv", std::string(5 << 20, ',')}}),
-      ground("MeshWithNan", "mesh: m.obj", "", {{"m.obj", "v nan 0 0\n"}}),
-      ground("MeshWithNoSuchVertex", "mesh: m.obj", "", {{"m.obj", obj + "f 1 2 1e300\n"}}),
-      ground("MeshThatCountsTooMany", "mesh: m.stl", "",
+      ground("HeightsInOneLine", "heights: h.csv, spacing: [1, 1]",
+             "ground.heights: h.csv: line 1 is longer than", {{"h.csv", std::string(5 << 20, ',')}}),
+      ground("MeshWithNan", "mesh: m.obj", "ground.mesh: m.obj: line 1: 'nan' is not a number",
+             {{"m.obj", "v nan 0 0\n"}}),
+      ground("MeshWithNoSuchVertex", "mesh: m.obj", "ground.mesh: m.obj: line 5: there is no vertex",
+             {{"m.obj", obj + "f 1 2 1e300\n"}}),
+      ground("MeshThatCountsTooMany", "mesh: m.stl",
+             "ground.mesh: m.stl: 4294967295 triangles in 84 bytes: the STL file is cut off",
              {{"m.stl", std::string(80, ' ') + "\xff\xff\xff\xff"}}),
       {"SceneNamedWithC1", run, "a\\x9b[2J: 0.002 s", {{"s.yaml", "scene: \"a\\x9b[2J\"\n" + ball + end}}, 0},
       {"CheckpointOfHugeCounts",
@@ -246,6 +268,12 @@ std::vector<Hostile> all() {
       record("RecordGivenTwiceWithEscapes", "{\"\\u001b[2J\": 1, \"\\u001b[2J\": 2}", "the member '"),
       record("RecordBeyondDouble", "{\"version\": 1e999}", "line 1, column 13: a number beyond double"),
       record("RecordWithNan", "{\"version\": NaN}", "not JSON: line 1, column 13"),
+      record("RecordOfTooManyValues", "[" + times(3'000'001, "[],") + "1]", "more than 6000000 values"),
+      {"RecordOfHoles",
+       "truncate -s 99G r.json; $L report r.json; rm r.json; touch r.json",
+       "r.json: cannot be read: longer than 134217728 bytes",
+       {{"r.json", ""}},
+       0},
       record("RecordThatIsNoObject", "[1]", ""),
       record("RecordWithMarks", "\xff\xfe{}", "not JSON"),
       record("RecordWithAStar", dumped(reports::with(reports::record(), "/*keys", 1)),

@@ -69,8 +69,10 @@ std::string Text::path(const YAML::Node& node, const std::string& what) const {
     const fs::path top = fs::canonical(folder, unknown);
     return !error && !unknown && std::ranges::mismatch(top, real).in1 == top.end();
   };
-  const bool robot = real.extension() == ".urdf";
-  if (!holds(own) && !(robot && holds(own / "..")) && std::ranges::none_of(outside_, holds))
+  const bool robot = real.extension() == ".urdf",
+             beside =
+                 robot && holds(own / "..") && real.parent_path().parent_path() == fs::canonical(own / "..");
+  if (!holds(own) && !beside && std::ranges::none_of(outside_, holds))
     refuse(node, what + ": '" + node.Scalar().substr(0, 200) + "' is outside of the scene's folder" +
                      (robot ? " and of those beside it" : "") +
                      ": copy it there, or allow its folder with --read-outside DIR");
