@@ -10,6 +10,7 @@
 #include <reports/report.hpp>
 #include <stdexcept>
 #include <string>
+#include <support/files.hpp>
 
 #include "../refusal.hpp"
 #include "../scratch.hpp"
@@ -201,6 +202,12 @@ TEST_F(Report, MergesRecords) {
   EXPECT_EQ(numbers["results"].size(), 3u);
   EXPECT_EQ(numbers["results"][2], second["results"][0]);
   EXPECT_TRUE(has(read(files.html), "accuracy report: fail"));
+}
+
+/// What packed() treats apart: absent and equal values, rows with other fields, lists in lists.
+TEST(Packed, IsWhatTheScriptRestores) {
+  const Json both = parsed(liecheck::properties::read_whole(LIECHECK_SOURCE_DIR "/tests/reports/packed.json"));
+  EXPECT_EQ(dumped(packed(both["plain"])), dumped(both["packed"]));
 }
 
 TEST(Packed, RefusesKeysThatTheScriptWouldMistake) {  // tests/browser restores what is packed
