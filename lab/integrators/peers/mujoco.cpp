@@ -63,6 +63,7 @@ class MujocoRunner final : public PeerRunner {
       : PeerRunner(scene, {"joint_damping", "joint_spring", "pd"}) {
     const std::string text = model_text(bodies_, scene, method);
     const auto files = std::make_unique<mjVFS>();
+    mju_user_warning = [](const char*) {};  // else MuJoCo writes them to a file in the current folder
     mj_defaultVFS(files.get());
     mj_makeEmptyFileVFS(files.get(), "scene.xml", int(text.size()));
     std::memcpy(files->filedata[0], text.data(), text.size());
