@@ -43,7 +43,7 @@ class EventSteps {
     learn(system, state);
     switching_ = method.order > 1 && !switches_.none();
     if (switching_) switches_.remember(double(state.t));
-    if (state.t == S(0) || !switches_.settled()) check_.begin(h);  // a run may begin within a phase
+    if (switching_ && (state.t == S(0) || !switches_.settled())) check_.begin(h);  // it may begin within a phase
     switches_.release();
     learnt_ = false;
   }
