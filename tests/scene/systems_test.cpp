@@ -229,6 +229,14 @@ TEST(Plan, EndsCountingInTime) {
   EXPECT_FALSE(plan.stages.back().nanoseconds == std::nullopt);
 }
 
+TEST(Plan, CountsNoStepOfARunThatDivergesBefore) {
+  const sc::Scene s = loadSceneText(
+      "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joints: {root_joint: 1}}\n"
+      "effects: [joint_spring: {stiffness: 1e34}]\nduration: 1 s\nintegrator: {name: euler, step: 10 ms}\n");
+  for (const sc::Stage& stage : sc::plan(s, sc::Measuring{}).stages)
+    EXPECT_FALSE(stage.when == "step" && stage.instructions) << stage.name;
+}
+
 TEST(Plan, CountsTheEvaluationsOfAStep) {
   const std::pair<const char*, double> expected[] = {
       {"euler", 1}, {"rk2", 2}, {"rkmk4", 4}, {"cf4", 4}, {"rkmk6", 7}};

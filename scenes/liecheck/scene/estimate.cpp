@@ -65,7 +65,8 @@ class Estimator {
         factor = 4. / 3;  // of second order, the least of methods with phases
       else if (observed())
         factor = 1 / (std::pow(coarse->ratio, believedOrder()) - 1);
-      // Two differences may have the ratio of an order by chance, and few long steps may not differ by the tolerance.
+      // Two differences may have the ratio of an order by chance, and few long steps may not differ by the tolerance. E is
+      // trusted to a factor of 2 (.5), of 30 where phases are not resolved (.03) and, for an alarm, between long steps.
       const double E = D1 * factor, order = result_.order.value_or(0);
       known = points_.back().step >= 9 || (observed() && order < 2 * promised_);
       known = known && ((D1 <= 10 && E <= (phases_.unresolved ? 0.03 : 0.5)) ||

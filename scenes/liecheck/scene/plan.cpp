@@ -193,14 +193,17 @@ class Planner {
     plan_.stages.push_back(std::move(stage));
     // Not of the first steps, which may be checked (phase_check.hpp), and of two in which no event is located. Two less one,
     // since the first one of a call looks at the start.
-    counts_.push_back([steps](const InstructionCounter& counter) -> std::optional<long> {
+    counts_.push_back([this, steps](const InstructionCounter& counter) -> std::optional<long> {
       long n = 12;
+      std::optional<State<Sys>> last;  // before step n, from which the method begins each time
       for (; n < 15; ++n) {
-        steps(0, n);
-        const Outcome o = steps(n, n + 2);
+        if (steps(0, n - 1).diverged) return {};
+        last = moving_;
+        const Outcome o = steps(n - 1, n + 2);
+        if (o.diverged) return {};
         if (o.events == 0 && o.phases.count == 0) break;
       }
-      const Work before = [&] { steps(0, n); };
+      const Work before = [&] { moving_ = last, steps(n - 1, n); };
       const auto one = counter.count([&] { steps(n, n + 1); }, before),
                  two = counter.count([&] { steps(n, n + 2); }, before);
       if (!one || !two) return {};
