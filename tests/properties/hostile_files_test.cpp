@@ -233,7 +233,7 @@ std::vector<Hostile> all() {
       {"CheckpointOfHugeCounts",
        run + " --resume c",
        "c: is ",
-       {{"s.yaml", ball + end}, {"c", "liecheck checkpoint 2\n0 999999999999 "}}},
+       {{"s.yaml", ball + end}, {"c", "liecheck checkpoint 3\n0 999999999999 "}}},
       {"CheckpointOfEscapes", run + " --resume c", "c: is ", {{"s.yaml", ball + end}, {"c", esc}}},
       // robots
       urdf("RobotOfEntities",

@@ -185,7 +185,7 @@ TEST(SavedRunOfTheProgram, ThatIsNoneOfTheSceneIsRefusedInOneLine) {
                                 "duration: 1 s\nobservers: [energy]\n"),
                     text = written("no.checkpoint", "t\n0\n");
   EXPECT_EQ(expectSaid("scene run " + scene + " --resume " + text, 2),
-            "liecheck: " + text + ": is not a checkpoint: its first line is not 'liecheck checkpoint 2'\n");
+            "liecheck: " + text + ": is not a checkpoint: its first line is not 'liecheck checkpoint 3'\n");
 }
 
 TEST(TruthOfAScene, IsRefusedByEveryCommandIfItIsNotThatOfTheMotion) {

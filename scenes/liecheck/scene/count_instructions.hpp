@@ -23,6 +23,8 @@ class InstructionCounter {
   /// The instructions of one call of f; none if the time does not suffice. Before it, f has run at least once, so that
   /// nothing is initialised while it is counted, and has thrown nothing. `before` runs before f and is not counted.
   std::optional<long> count(const Work& f, const Work& before = {}) const;
+  /// Within f, its instructions so far.
+  double soFar() const;
   bool hurried() const { return hurried_; }
 
  private:

@@ -196,8 +196,8 @@ class EventSteps {
       } else {
         // The functions have the values at trial_.
         if (switching_ && !adaptive)
-          if (const auto peak = switches_.missed(double(trial_.t)); peak && splits++ < 4) {
-            length = S(*peak) - state.t, again = true;
+          if (const double peak = switches_.missed(double(trial_.t)); std::isfinite(peak) && splits++ < 4) {
+            length = S(peak) - state.t, again = true;
             continue;
           }
         state = std::move(trial_);  // which keeps vectors of the same sizes

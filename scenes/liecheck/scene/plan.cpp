@@ -191,9 +191,9 @@ class Planner {
       stage.nanoseconds = std::max(0.0, nanoseconds(run(2)) - nanoseconds(run(1)));
     }
     plan_.stages.push_back(std::move(stage));
-    // Not of the first steps, which may be checked (phase_check.hpp), and of two in which no event is located. Two less one,
-    // since the first one of a call looks at the start.
-    counts_.push_back([this, steps](const InstructionCounter& counter) -> std::optional<long> {
+    // Not of the first steps, which may be checked (phase_check.hpp), and of two in which no event is located: of the second
+    // one, since a call looks at the start before its first.
+    counts_.push_back([this, h, steps](const InstructionCounter& counter) -> std::optional<long> {
       long n = 12;
       std::optional<State<Sys>> last;  // before step n, from which the method begins each time
       for (; n < 15; ++n) {
@@ -203,11 +203,16 @@ class Planner {
         if (o.diverged) return {};
         if (o.events == 0 && o.phases.count == 0) break;
       }
-      const Work before = [&] { moving_ = last, steps(n - 1, n); };
-      const auto one = counter.count([&] { steps(n, n + 1); }, before),
-                 two = counter.count([&] { steps(n, n + 2); }, before);
-      if (!one || !two) return {};
-      return *two - *one;
+      double before = 0, after = 0;
+      const auto watch = [&](const auto&, long) {
+        before = std::exchange(after, counter.soFar());
+        return true;
+      };
+      const auto two = [&] {
+        simulate(system_, *method_, *moving_, {h * double(n + 2), n + 2, 1, n}, watch);
+      };
+      if (!counter.count(two, [&] { moving_ = last, steps(n - 1, n); })) return {};
+      return std::lround(after - before);
     });
   }
 

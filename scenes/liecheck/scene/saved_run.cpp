@@ -61,7 +61,7 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-const std::string first_line = "liecheck checkpoint 2";
+const std::string first_line = "liecheck checkpoint 3";
 
 class Writer {
  public:

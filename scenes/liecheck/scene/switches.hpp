@@ -94,29 +94,33 @@ class Switches {
     known_ = std::min(known_ + 1, 2);
     times_[0] = times_[1], times_[1] = t;
     last_.resize(held_.size());
-    for (std::size_t k = 0; k < held_.size(); ++k) last_[k] = {last_[k][1], double(held_[k].value)};
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+      const double value = double(held_[k].value);
+      last_[k] = {value - last_[k][1], value};
+    }
   }
   /// Remembers the values of the last evaluation, at the time t, unless a function may have changed its sign twice since
   /// the ones before: the extremum of the parabola through its last three values lies beyond 0, or nearly so. Then it
-  /// returns the first such time, and forgets all.
-  std::optional<double> missed(double t) {
+  /// returns the first such time, and forgets all; otherwise infinity.
+  double missed(double t) {
     if (known_ < 2 || last_.size() != held_.size() || !(t > times_[1])) {
       remember(t);
-      return {};
+      return std::numeric_limits<double>::infinity();
     }
-    std::optional<double> first;
+    double first = std::numeric_limits<double>::infinity();
     const double d = t - times_[1], ratio = d / (times_[1] - times_[0]);
     const Held* held = held_.data();
     for (std::array<double, 2>& last : last_) {
-      const double value = double(held->value), rise = value - last[1], before = (last[1] - last[0]) * ratio;
+      const double value = double(held->value), rise = value - last[1], before = last[0] * ratio;
+      last[0] = rise;
       if (std::abs(last[1]) < 4 * (std::abs(rise) + std::abs(before))) [[unlikely]]
         if (const auto x = beyond(double(held->sign) * last[1], double(held->sign) * rise,
                                   double(held->sign) * before, ratio))
-          if (!first || times_[1] + *x * d < *first) first = times_[1] + *x * d;
-      last = {last[1], value}, ++held;
+          first = std::min(first, times_[1] + *x * d);
+      last[1] = value, ++held;
     }
     times_[0] = times_[1], times_[1] = t;
-    if (first) known_ = 0;
+    if (first < std::numeric_limits<double>::infinity()) known_ = 0;
     return first;
   }
   /// The remembered values, for a run that is saved and continued.
@@ -156,7 +160,7 @@ class Switches {
     return {};
   }
 
-  std::vector<std::array<double, 2>> last_;  ///< remembered values, the later one last
+  std::vector<std::array<double, 2>> last_;  ///< what each rose by between the two times, and its value at the later one
   double times_[2] = {0, 0};
   int known_ = 0;
   bool settled_ = true;
