@@ -10,6 +10,7 @@
 #include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
 #include <failures/blocks.hpp>
+#include <filesystem>
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
@@ -18,7 +19,9 @@
 #include <rules/rules.hpp>
 #include <set>
 #include <stdexcept>
+#include <reports/report.hpp>
 #include <support/files.hpp>
+#include <support/folder.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
 #include <support/terminal.hpp>
@@ -35,6 +38,7 @@ struct CampaignFlags {
   CaseFlags cases;
   StoreFlags store;
   std::string badge, rules;
+  std::string adapter, page;  ///< of `test`
   bool no_hard_cases = false, no_probe = false, verbose = false, all = false;
 };
 
@@ -116,11 +120,17 @@ void print_series(const Series& series, const Tally& tally) {
                      : "");
 }
 
-/// Prints each cliff, with the worst case of its band, and what became of the expected failures.
-void print_cliffs(const CampaignResult& r) {
+/// Prints each cliff, with the worst case of its band, and what became of the expected failures. Those of blocks that fail
+/// belong to their findings.
+void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& failed) {
   const char* before = "\n";
   for (const auto& [series, tally] : r.series)
     for (const Cliff& c : cliffs_of(*series, tally)) {
+      const Output& output = series->outputs[c.output];
+      if (std::ranges::any_of(failed, [&](const FailedBlock& f) {
+            return f.subject == series->subject && f.operation == output.operation && f.block == output.block;
+          }))
+        continue;
       const Row& row = tally.rows.at({static_cast<int>(c.output), static_cast<int>(c.band)});
       say("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
           c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
@@ -159,13 +169,14 @@ std::vector<std::string> without_trees(const CampaignFlags& f) {
   return names;
 }
 
-void print_oracles(const CampaignResult& r) {
+void print_oracles(const CampaignResult& r, bool verbose) {
   std::uint64_t fast = 0, checked = 0, disagreed = 0;
   for (const auto& [series, tally] : r.series) {
     fast += tally.fast, checked += tally.checked, disagreed += tally.disagreed.size();
     for (const std::uint64_t index : tally.disagreed)
       say("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
+  if (!verbose) return;
   say("\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the others; {} "
       "cases of ball arithmetic were measured again with 50 and 100 digits, {} disagree\n",
       r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
@@ -185,30 +196,15 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
   const int code = code_of(r, hard_cases);
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
   if (any_failed(hard_cases))
-    text += r.failed ? ": laws failed, see the table; hard cases failed, see the first section"
-                     : ": hard cases failed, see the first section";
+    text += r.failed ? ": laws failed; hard cases failed"
+                     : ": hard cases failed";
   else if (any_open(hard_cases))
-    text += ": hard cases have no verdict, see the first section";
+    text += ": hard cases have no verdict";
   return text;
 }
 
-/// Prints the table, the failures and the coverage. Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
-  say("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
-  for (const auto& [series, tally] : r.series) print_series(*series, tally);
-  say("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
-  print_failures(r, f.all);
-  print_cliffs(r);
-  print_not_measured(r, f.all);
-  for (const std::string& name : without_trees(f))
-    fmt::print(
-        "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
-        "--robot\n",
-        name);
-  print_oracles(r);
-  print_coverage(r, f.verbose);
-  say("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
-      printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
+/// Whose limits judge a subject.
+std::set<std::string> limits_of(const CampaignResult& r) {
   std::set<std::string> limits;
   for (const auto& [series, tally] : r.series) {
     if (series->profile != Profile::ours)
@@ -217,14 +213,79 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
       limits.insert(
           fmt::format("limits of {}: {} ({})\n", series->subject, series->own->file, hash_of(*series->own)));
   }
-  say("{}", fmt::join(limits, ""));
-  say("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
+  return limits;
+}
+
+void print_verdict(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const std::string& more) {
   const int code = code_of(r, hard_cases);
-  fmt::print("{}\n", coloured(code == within_budget     ? Colour::green
-                              : code == property_failed ? Colour::red
-                                                        : Colour::yellow,
-                              printable(verdict_line(r, hard_cases))));
-  return code;
+  fmt::print("{}{}\n",
+             coloured(code == within_budget     ? Colour::green
+                      : code == property_failed ? Colour::red
+                                                : Colour::yellow,
+                      printable(verdict_line(r, hard_cases))),
+             printable(more));
+}
+
+/// Prints the table of the laws, each row that fails, the coverage and the digests.
+void print_details(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
+  print_hard_case_summary(hard_cases, f.all);
+  say("\n{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
+  for (const auto& [series, tally] : r.series) print_series(*series, tally);
+  say("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
+  print_failures(r, f.all);
+  print_cliffs(r, {});
+  print_not_measured(r, f.all);
+  print_coverage(r, f.verbose);
+  say("\n{}inputs  {}\nresults {}\n", fmt::join(limits_of(r), ""), r.inputs_digest, r.results_digest);
+}
+
+/// What was measured, in one line.
+void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  std::set<std::string> laws, scalars, whose;
+  for (const auto& [series, tally] : r.series) {
+    laws.insert(series->property), scalars.insert(series->scalar);
+    whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
+  }
+  std::size_t cells = 0, failing = 0;
+  for (const HardRow& row : hard_cases)
+    for (const HardCell& cell : row.cells) ++cells, failing += cell.failed || cell.open;
+  say("measured {} cases of {} laws in {} in {:.1f} s, seed {}, robot {}{}; limits {}", r.total_cases, laws.size(),
+      fmt::join(scalars, " and "), r.elapsed, r.options.seed, printable(r.robot.name), r.robot.fixed ? ", fixed" : "",
+      fmt::join(whose, ", "));
+  if (cells) say("; {} hard cases, of which {} fail or have no verdict", cells, failing);
+  say("\n");
+}
+
+/// Prints the verdict, the findings and what was measured; if verbose, the details too. Returns the verdict's exit code.
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
+  std::vector<FailedBlock> failed = failed_blocks(r);
+  const std::vector<Finding> findings = findings_of(r, failed, hard_cases);
+  std::set<std::string> subjects, operations;
+  for (const auto& [series, tally] : r.series) {
+    subjects.insert(series->subject + (series->subject_version.empty() ? "" : " " + series->subject_version));
+    for (const Output& output : series->outputs) operations.insert(std::string(output.operation));
+  }
+  const std::size_t many = findings.size();
+  print_verdict(r, hard_cases,
+                fmt::format("{}{}", subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
+                                                        : fmt::format("; {}", fmt::join(subjects, ", ")),
+                            many == 0   ? ""
+                            : many == 1 ? ": 1 finding"
+                                        : fmt::format(": {} findings, the worst first", many)));
+  print_findings(findings, r, f.all);
+  print_cliffs(r, failed);
+  if (!f.verbose) print_not_measured(r, f.all);
+  for (const std::string& name : without_trees(f))
+    fmt::print(
+        "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
+        "--robot\n",
+        name);
+  if (many > 0) say("\n");
+  if (f.verbose) print_details(r, hard_cases, f);
+  print_oracles(r, f.verbose);
+  print_measured(r, hard_cases);
+  if (!f.verbose) say("--verbose shows each law, each row that fails, the coverage and the digests\n");
+  return code_of(r, hard_cases);
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
@@ -233,11 +294,7 @@ std::vector<HardRow> replay_hard_cases(const CampaignFlags& f, const Selection& 
   if (f.no_hard_cases || !f.store.first_shard()) return {};
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
-  const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
-  print_hard_case_summary(rows, f.all);
-  say("\n");
-  std::fflush(stdout);
-  return rows;
+  return run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
 }
 
 int run(const CampaignFlags& f) {
@@ -275,26 +332,58 @@ int run(const CampaignFlags& f) {
   return code;
 }
 
+
+/// The flags that `campaign` and `test` share.
+void add_flags(CommandWith<CampaignFlags>& a, const std::string& typed_line) {
+  a->store.typed_line = typed_line;
+  a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");
+  a.toggle("--no-probe", a->no_probe, "judge an adapter even if its conventions differ from liecheck's");
+  a->cases.add(a);
+  a.toggle("--verbose", a->verbose, "show each law, each row that fails, the coverage and the digests, too");
+  a.toggle("--all", a->all, "print every finding, each failure in full, and shorten nothing");
+  a.text("--rules", a->rules, "VERSION",
+         "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
+  a.text("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
+}
+
+/// The campaign of one adapter, and a page of its record.
+int test(const CampaignFlags& given) {
+  CampaignFlags f = given;
+  f.selection.adapters.adapters = {f.adapter};
+  if (f.page.empty()) return run(f);
+  make_folder("--page", f.page);
+  if (f.selection.json.empty()) f.selection.json = file_in(f.page, "campaign.json").string();
+  check_writable(f.selection.json);
+  const int code = run(f);
+  say("{}\n", std::filesystem::absolute(reports::write_report({f.selection.json}, f.page).html).string());
+  return code;
+}
+
+constexpr const char* exit_codes =
+    "Exit code 0 if every error is within its limit; 1 if one is not; 2 for bad input; 3 if incomplete: "
+    "interrupted, or a law measured less than it must";
+
 }  // namespace
+
+Command test_command(CLI::App& program, const std::string& typed_line) {
+  CommandWith<CampaignFlags> a(program, "test",
+                               std::string("test a library: conventions, laws on random inputs, hard cases; one block of "
+                                           "lines for each finding. ") +
+                                   exit_codes);
+  a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/adapters.md").required();
+  a.text("--page", a->page, "DIR", "write the record and a page of it into this folder");
+  a->selection.add_laws(a);
+  add_flags(a, typed_line);
+  return a.runs(test);
+}
 
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
   CommandWith<CampaignFlags> a(
       program, "campaign",
-      "test libraries by the laws, with inputs that follow from a seed. Exit code 0 if "
-      "every error is within its "
-      "limit; 1 if one is not; 2 for bad input; 3 if incomplete: interrupted, or a law "
-      "measured less than it must");
-  a->store.typed_line = typed_line;
+      std::string("test libraries by the laws, with inputs that follow from a seed. ") + exit_codes);
   a->selection.add(a);
-  a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");
-  a.toggle("--no-probe", a->no_probe, "judge an adapter even if its conventions differ from liecheck's");
-  a->cases.add(a);
-  a.toggle("--verbose", a->verbose, "show how often each class and each band of inputs was measured");
-  a.toggle("--all", a->all, "print each failure in full, not only the worst one, and shorten nothing");
+  add_flags(a, typed_line);
   a->store.add(a);
-  a.text("--rules", a->rules, "VERSION",
-         "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
-  a.text("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
   return a.runs(run);
 }
 

@@ -3,6 +3,7 @@
 
 #include <app/command.hpp>
 #include <campaign/campaign.hpp>
+#include <failures/findings.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <store/stored_run.hpp>
 
@@ -40,6 +41,9 @@ void print_counterexamples(const Counterexamples& counterexamples, bool all);
 
 /// Prints a line for each operation and block that failed, worst first, and the worst one in full; if `all`, each.
 void print_failures(const CampaignResult& result, bool all);
+
+/// Prints the findings, ten of them at most unless `all`.
+void print_findings(const std::vector<Finding>& findings, const CampaignResult& result, bool all);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);

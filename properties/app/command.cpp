@@ -64,6 +64,10 @@ void SelectionFlags::add(Arguments& a) {
   a.list("--subject", subjects, "NAME",
          "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default liecheck");
   adapters.add(a);
+  add_laws(a);
+}
+
+void SelectionFlags::add_laws(Arguments& a) {
   a.list("--property", properties, "NAME",
          "a law, as 'liecheck list' names it, repeatable; default every one");
   a.list("--scalar", scalars, "SCALAR", "float or double, repeatable; default both");

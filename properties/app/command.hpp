@@ -158,6 +158,8 @@ struct SelectionFlags {
   std::string json;
 
   void add(Arguments& arguments);
+  /// All but --subject and --adapter.
+  void add_laws(Arguments& arguments);
   /// Starts the adapters. By default their subjects, or liecheck, in float and double; the subject "all" means
   /// all subjects.
   Selection selection() const;
@@ -212,6 +214,8 @@ Command adapter_serve_command(CLI::App& adapter);
 Command adapter_tellings_command(CLI::App& adapter);
 /// typed_line: the whole command line, quoted for a shell.
 Command campaign_command(CLI::App& program, const std::string& typed_line);
+/// The campaign of one adapter.
+Command test_command(CLI::App& program, const std::string& typed_line);
 Command hard_cases_command(CLI::App& program);
 Command hunt_command(CLI::App& program);
 Command promise_command(CLI::App& program);

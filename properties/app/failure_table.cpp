@@ -5,6 +5,7 @@
 #include <app/campaign_run.hpp>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
+#include <failures/findings.hpp>
 #include <set>
 #include <support/say.hpp>
 #include <support/terminal.hpp>
@@ -14,7 +15,7 @@ namespace liecheck::properties {
 
 namespace {
 
-constexpr std::size_t shown = 25;
+constexpr std::size_t shown = 25, most_findings = 10;
 
 /// A line of the table, and a guess at the cause below it.
 struct Line {
@@ -53,6 +54,12 @@ void print_in_full(const CampaignResult& r, const FailedBlock& f) {
 }
 
 }  // namespace
+
+void print_findings(const std::vector<Finding>& findings, const CampaignResult& r, bool all) {
+  const std::size_t lines = all ? findings.size() : std::min(findings.size(), most_findings);
+  for (std::size_t i = 0; i < lines; ++i) say("\n{}", text_of(findings[i], i + 1, r));
+  if (lines < findings.size()) say("\n{} more findings: --all prints them\n", findings.size() - lines);
+}
 
 void print_failures(const CampaignResult& r, bool all) {
   const auto failed = failed_blocks(r);

@@ -117,6 +117,21 @@ std::string worst_outcome(const Row& row) {
   return all.empty() ? "" : all.front().second;
 }
 
+void find_worst(FailedBlock& f) {
+  f.worst = nullptr, f.score = 0, f.failed = f.cases = 0;
+  for (const BandOf& b : f.bands) {
+    if (!b.fails) continue;
+    if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
+    f.score = std::max(f.score, score_of(b));
+    f.failed += b.row->failed, f.cases += b.row->inside();
+  }
+  if (!f.worst) return;
+  const BandOf& worst = *f.worst;  // and the plainest of those that are as bad is its example
+  const auto plain = [](const BandOf& b) { return plainness(b.series->bands()[b.band]); };
+  for (const BandOf& b : f.bands)
+    if (b.fails && is_as_bad(b, worst) && plain(b) > plain(*f.worst)) f.worst = &b;
+}
+
 std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, FailedBlock> all;
   for (const auto& [series, tally] : campaign.series)
@@ -131,19 +146,8 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
   for (auto& [key, f] : all) {
     std::tie(f.subject, f.scalar, f.operation, f.block) = key;
     std::ranges::stable_sort(f.bands, {}, &BandOf::band);
-    f.worst = nullptr;
-    for (const BandOf& b : f.bands) {
-      if (!b.fails) continue;
-      if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
-      f.score = std::max(f.score, score_of(b));
-      f.failed += b.row->failed, f.cases += b.row->inside();
-    }
-    if (!f.worst) continue;
-    const BandOf& worst = *f.worst;  // and the plainest of those that are as bad is its example
-    const auto plain = [](const BandOf& b) { return plainness(b.series->bands()[b.band]); };
-    for (const BandOf& b : f.bands)
-      if (b.fails && is_as_bad(b, worst) && plain(b) > plain(*f.worst)) f.worst = &b;
-    failed.push_back(std::move(f));
+    find_worst(f);
+    if (f.worst) failed.push_back(std::move(f));
   }
   std::ranges::stable_sort(failed, std::greater(),
                            [](const FailedBlock& f) { return std::pair(badness(*f.worst).first, f.score); });

@@ -29,6 +29,9 @@ struct FailedBlock {
 /// Those that fail, worst first: without a result, NaN or Inf, a wrong branch, other outcomes, then by the error.
 std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign);
 
+/// Finds the worst band again, and the figures that follow from it, after `fails` of a band has changed; none may fail.
+void find_worst(FailedBlock& block);
+
 /// How many cases of a row had which outcome without an error in eps, worst first; "" if none had.
 std::string outcomes_of(const Row& row);
 

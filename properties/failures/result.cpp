@@ -301,20 +301,28 @@ std::string comparison_text(const Series& series, const Output& output, const No
          lines_of(series.format(), pairs_of_law(output, noted.compared));
 }
 
-Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
-                         std::size_t most) {
-  Comparison all;
-  std::vector<Pair> pairs;
+namespace {
+
+/// The numbers of the result that differs most from the oracle's, those first that differ most; and whose result it is.
+std::pair<std::string, std::vector<Pair>> compared(const Output& output, const NotedCase& noted) {
+  std::pair<std::string, std::vector<Pair>> all;
   if (!noted.compared.exact.empty()) {
-    all.operation = output.operation;
-    pairs = pairs_of_law(output, noted.compared);
+    all = {std::string(output.operation), pairs_of_law(output, noted.compared)};
   } else if (const NotedCall* call = worst_call(output, noted); call && call->thrown.empty()) {
     const std::vector<Real> exact = expected_of(*call);
-    if (exact.empty() || exact.size() != call->result.size()) return all;
-    all.operation = call->operation->name;
-    pairs = pairs_of(output, noted, *call, exact);
+    if (!exact.empty() && exact.size() == call->result.size())
+      all = {std::string(call->operation->name), pairs_of(output, noted, *call, exact)};
   }
-  std::ranges::stable_sort(pairs, std::greater(), &Pair::apart);
+  std::ranges::stable_sort(all.second, std::greater(), &Pair::apart);
+  return all;
+}
+
+}  // namespace
+
+Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
+                         std::size_t most) {
+  auto [operation, pairs] = compared(output, noted);
+  Comparison all{operation, {}};
   pairs.resize(std::min(pairs.size(), most));
   for (const Pair& p : pairs)
     all.numbers.push_back({p.name,
@@ -324,6 +332,30 @@ Comparison comparison_of(const Series& series, const Output& output, const Noted
                                                 : "-inf",
                            hexadecimal_float(nearest(series.format(), p.exact))});
   return all;
+}
+
+std::string worst_number_text(const Series& series, const Output& output, const NotedCase& noted) {
+  const auto [operation, pairs] = compared(output, noted);
+  if (pairs.empty()) return "";
+  const Pair& p = pairs.front();
+  return fmt::format("{} is {}, and {} is right", p.name,
+                     std::isfinite(p.got) ? decimal_float(p.got, series.format())
+                     : std::isnan(p.got)  ? "NaN"
+                                          : p.got > 0 ? "inf" : "-inf",
+                     decimal_float(nearest(series.format(), p.exact), series.format()));
+}
+
+std::string called_with(const Series& series, const NotedCall& call) {
+  std::vector<std::string> all;
+  std::span<const double> left(call.arguments);
+  for (const Layout* l : call.operation->arguments) {
+    const std::size_t size = conventions::size_of(*l);
+    if (size > left.size() || call.arguments.size() > most_inputs) return "";
+    const auto these = left.first(size);
+    all.push_back(fmt::format("{} = {}", l->name, numbers_text(series, {these.begin(), these.end()})));
+    left = left.subspan(size);
+  }
+  return fmt::format("{}({})", call.operation->name, fmt::join(all, "; "));
 }
 
 }  // namespace liecheck::properties

@@ -42,4 +42,10 @@ struct Comparison {
 Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
                          std::size_t most);
 
+/// "phi[0] is 1, and -1 is right", of the number that differs most; "" if the oracle does not know the result.
+std::string worst_number_text(const Series& series, const Output& output, const NotedCase& noted);
+
+/// "exp3_quaternion(phi = 0, 0, 1)"; "" if the arguments have hundreds of numbers.
+std::string called_with(const Series& series, const NotedCall& call);
+
 }  // namespace liecheck::properties

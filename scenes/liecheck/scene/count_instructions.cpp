@@ -91,10 +91,12 @@ struct Counting {
     return nullptr;
   }
   /// The instructions of a call that need not be counted, or 0. A call that is not counted takes two traps.
-  /// Of a call that is a large part of all, two must agree, since it may make another number of iterations.
+  /// A call may make another number of iterations than the one before. So one that is a tenth of all is counted, and of one
+  /// that is a thirtieth, two must agree.
   double expected(const Call& call) {
-    constexpr double little = 8, large = 0.05;
-    const auto needs = [&](const Function& like) { return hurried && like.mean <= large * count ? 1 : 2; };
+    constexpr double little = 8;
+    const auto needs = [&](const Function& like) { return hurried && like.mean <= 0.03 * count ? 1 : 2; };
+    if (call.like->mean > 0.1 * count) return 0;
     if (call.like->mean > little && call.like->known(needs(*call.like))) return call.like->mean;
     const double mean = call.any->mean;
     return needs(*call.any) == 1 && !call.chosen && call.any->counted >= 8 && mean > little ? mean : 0;

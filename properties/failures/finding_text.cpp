@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <campaign/robots.hpp>
+#include <failures/calls.hpp>
+#include <failures/findings.hpp>
+#include <failures/result.hpp>
+#include <search/plain.hpp>
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+void add_once(std::vector<std::string>& to, const std::string& text) {
+  if (std::ranges::find(to, text) == to.end()) to.push_back(text);
+}
+
+/// The failing bands of a block, those of ordinary angles first, and of these the one in which most cases fail.
+std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
+  std::vector<std::pair<double, BandOfFailure>> all;
+  for (const BandOf& b : f.bands) {
+    if (!b.fails || b.series != f.worst->series || b.output != f.worst->output) continue;
+    const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
+    all.push_back({share + (is_ordinary(b.series->bands()[b.band]) ? 1 : 0), {b.band, b.row->worst_score}});
+  }
+  std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.first; });
+  std::vector<BandOfFailure> bands;
+  for (const auto& [order, band] : all) bands.push_back(band);
+  return bands;
+}
+
+/// The call that shows a failure, what is wrong with its result, and how to repeat it.
+std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try {
+  const BandOf& w = *f.worst;
+  const Series& series = *w.series;
+  const auto output = static_cast<int>(w.output);
+  const CaseId worst = series.id(campaign.options.seed, w.row->worst_index);
+  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f));
+  if (!s) s = shrink(series, worst, output, 500);
+  std::string text;
+  if (!s->reproduced) text = "   this case gives other results when it is measured again\n";
+  const NotedCase all = noted(series, s->id, w.output);
+  const Output& of = series.outputs.at(w.output);
+  const NotedCall* const call = worst_call(of, all);
+  if (const std::string called = call ? called_with(series, *call) : ""; !called.empty())
+    text += fmt::format("   example  {}\n", called);
+  if (const std::string number = f.block == "sign" ? "" : worst_number_text(series, of, all); !number.empty())
+    text += fmt::format("            {}\n", number);
+  else if (call && !call->thrown.empty())
+    text += fmt::format("            throws: {}\n", call->thrown);
+  const std::string flags =
+      (series.robot != "none" && !campaign.robot.path.empty() ? robot_flags(campaign.robot) : "") + subject_flags(series);
+  const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
+  return text + fmt::format("   replay   liecheck replay {}{}\n", shown, flags);
+} catch (const GivenUp&) {
+  return "";
+}
+
+/// "all 15.7 digits lost in double, 3.9 of 6.9 digits lost in float", of the worst block in each scalar.
+std::string how_bad(const std::vector<const FailedBlock*>& blocks) {
+  std::vector<std::string> scalars, all;
+  for (const FailedBlock* f : blocks) {
+    if (std::ranges::find(scalars, f->scalar) != scalars.end()) continue;
+    scalars.push_back(f->scalar);
+    all.push_back(f->block == "sign" ? fmt::format("-Q is returned where Q is nearer, in {}", f->scalar)
+                                     : fmt::format("{} in {}", what_of(*f), f->scalar));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+}  // namespace
+
+std::string text_of(const Finding& finding, std::size_t number, const CampaignResult& campaign) {
+  if (finding.own.empty()) {
+    const HardCell& cell = *finding.hard_cells.front();
+    const HardCase& entry = *finding.hard_rows.front()->entry;
+    return fmt::format("{}  {} {}: hard case {} ({})\n   input    {}\n   reason   {}\n   replay   liecheck replay {}{}\n", number,
+                       finding.operation, cell.block, entry.name, name_of(cell.verdict), entry.input, entry.reason,
+                       cell.id.text(), cell.flags);
+  }
+  const FailedBlock& first = *finding.own.front();
+  std::vector<std::string> blocks, others;
+  for (const FailedBlock* f : finding.own)
+    if (f->operation == finding.operation) add_once(blocks, f->block);
+  for (const FailedBlock* f : finding.others)
+    if (f->operation != finding.operation) add_once(others, f->operation);
+  std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "), how_bad(finding.own));
+  text += fmt::format("   where    {}: {} of {} cases in {}{}\n", where_of(first), first.failed, first.cases, first.scalar,
+                      finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
+  if (const std::string guess = guess_of(first); !guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
+  if (!others.empty()) text += fmt::format("   so       {} {} wrong, too\n", fmt::join(others, ", "), others.size() == 1 ? "is" : "are");
+  text += example_of(first, campaign);
+  if (!finding.hard_rows.empty())
+    text += fmt::format("   hard     {} of its hard cases fail, too: {}{}\n", finding.hard_rows.size(),
+                        finding.hard_rows.front()->entry->name, finding.hard_rows.size() > 1 ? ", ..." : "");
+  return text;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,31 @@
+#pragma once
+// The findings of a campaign: the failures that one cause explains.
+
+#include <failures/blocks.hpp>
+#include <hard_cases/hard_cases.hpp>
+
+namespace liecheck::properties {
+
+/// Failures with one cause: blocks of an operation in each scalar, and of those that call it.
+struct Finding {
+  std::string subject, operation;
+  std::vector<const FailedBlock*> own;    ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
+  std::vector<const FailedBlock*> others; ///< of operations that are wrong since this one is
+  std::vector<const HardRow*> hard_rows;  ///< hard cases that fail in one of these blocks
+  std::vector<const HardCell*> hard_cells;  ///< of `hard_rows`, one each
+  double ordinary = 0;  ///< the share of ordinary inputs that fail, times the share of digits that they lose
+};
+
+/// Angles of 1e-8 to 2 pi that are no closer than 1e-8 to pi, 0, and inputs without an angle.
+bool is_ordinary(const Band& band);
+
+/// The findings, those first that cost the most digits of the most ordinary inputs. All pointers are into `failed` and `hard_cases`.
+/// In `failed`, the bands of a block that another finding explains no longer fail.
+std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<FailedBlock>& failed,
+                                 const std::vector<HardRow>& hard_cases);
+
+/// Lines for a finding: what fails and how badly, where, perhaps why, what else is wrong because of it, and an input that a
+/// person would have written, if one fails.
+std::string text_of(const Finding& finding, std::size_t number, const CampaignResult& campaign);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,21 @@
+#pragma once
+// The input of a failure as a person would write it: numbers of ordinary size, simple axes, angles in the middle of a band.
+
+#include <search/shrink.hpp>
+#include <set>
+
+namespace liecheck::properties {
+
+/// A band, and the error or excess of its worst case.
+struct BandOfFailure {
+  std::size_t band;
+  double score;
+};
+
+/// An input that fails with an outcome like `worst` in one of the bands, tried in their order: translations like (1, 2, 3),
+/// also two that are nearly equal, rotations about simple axes by a round angle, and their quaternions of both signs. None
+/// if no such input fails with a tenth of the error of the band's worst case.
+std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, int output,
+                                    const std::vector<BandOfFailure>& bands);
+
+}  // namespace liecheck::properties
