@@ -249,9 +249,9 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   std::size_t cells = 0, failing = 0;
   for (const HardRow& row : hard_cases)
     for (const HardCell& cell : row.cells) ++cells, failing += cell.failed || cell.open;
-  say("measured {} cases of {} laws in {} in {:.1f} s, seed {}, robot {}{}; limits {}", r.total_cases, laws.size(),
+  say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases, laws.size(), laws.size() == 1 ? "" : "s",
       fmt::join(scalars, " and "), r.elapsed, r.options.seed, printable(r.robot.name), r.robot.fixed ? ", fixed" : "",
-      fmt::join(whose, ", "));
+      r.robot.hash, fmt::join(whose, ", "));
   if (cells) say("; {} hard cases, of which {} fail or have no verdict", cells, failing);
   say("\n");
 }

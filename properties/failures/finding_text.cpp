@@ -4,6 +4,7 @@
 #include <campaign/robots.hpp>
 #include <failures/calls.hpp>
 #include <failures/findings.hpp>
+#include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <search/plain.hpp>
 #include <support/stop.hpp>
@@ -49,6 +50,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
     text += fmt::format("            {}\n", number);
   else if (call && !call->thrown.empty())
     text += fmt::format("            throws: {}\n", call->thrown);
+  if (!series.adapter.empty())
+    if (const std::string own = adapter_program(series, of, all); own.starts_with("  as " + series.subject)) text += own;
   const std::string flags =
       (series.robot != "none" && !campaign.robot.path.empty() ? robot_flags(campaign.robot) : "") + subject_flags(series);
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();

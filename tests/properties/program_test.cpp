@@ -80,7 +80,7 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   for (const char* flag : {"--for", "--robot", "--json", "--subject", "--property", "--scalar"})
     refused("campaign " + std::string(flag) + " ''", std::string(flag) + ": may not be empty");
   refused("report --out ''", "--out: may not be empty");
-  refused("nope", "unknown command 'nope'; commands: list, ");
+  refused("nope", "unknown command 'nope'; commands: test, list, ");
   refused("--frob", "unknown option '--frob'");
   refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");

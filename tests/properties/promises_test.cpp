@@ -172,12 +172,12 @@ TEST_F(Promises, AreTheSameForEachCommandOfTheProgram) {
       "--cases 300 -j 1 --no-hard-cases";
   EXPECT_EQ(code(campaign), 1);
   const std::string text = out();
-  const auto at = text.find("  replay    liecheck ");
+  const auto at = text.find("  replay   liecheck ");
   ASSERT_NE(at, std::string::npos) << text;
-  const std::string replay = text.substr(at + 21, text.find('\n', at) - at - 21);
+  const std::string replay = text.substr(at + 20, text.find('\n', at) - at - 20);
   EXPECT_EQ(code(replay), 1);
   EXPECT_EQ(code(replay + " --profile careful"), 0);
-  EXPECT_EQ(code(campaign + " --profile careful"), 0);
+  EXPECT_EQ(code(campaign + " --verbose --profile careful"), 0);
   EXPECT_NE(out().find("profile of correct:quaternions: careful\n"), std::string::npos) << out();
   EXPECT_EQ(code(campaign + " --profile gentle"), 2);
   const std::string hunt =

@@ -39,7 +39,7 @@ TEST(Terminal, TheVerdictOfACampaignIncludesItsHardCases) {
   EXPECT_EQ(text.find("verdict pass"), std::string::npos) << text;
   const auto [without, said] = run(one + " --no-hard-cases");
   EXPECT_EQ(without, 0);
-  EXPECT_SAYS(said, "\nverdict pass\n");
+  EXPECT_SAYS(said, "verdict pass; textbook");
 }
 
 TEST(Terminal, AHuntOfWhatTheSubjectDoesNotOfferEndsAtOnce) {
@@ -143,7 +143,7 @@ TEST(Terminal, AReaderThatHasSeenEnoughIsNoError) {
 
 /// What a campaign of 1000 cases prints of a subject in double.
 std::string campaign(const std::string& subject, const std::string& more = "") {
-  return run("campaign --scalar double --cases 1000 -j 1 --no-hard-cases --subject " + subject + " " + more)
+  return run("campaign --scalar double --cases 1000 -j 1 --no-hard-cases --verbose --subject " + subject + " " + more)
       .second;
 }
 
@@ -202,7 +202,7 @@ TEST(Terminal, AnOutcomeWithoutAnErrorIsNamedAndHasNoEps) {
 
 TEST(Terminal, ATreeShowsWhatWasReturnedAndWhatIsRight) {
   const std::string text =
-      run("campaign --scalar double --cases 50 -j 1 --no-hard-cases --subject bug:tree_gravity_sign").second;
+      run("campaign --scalar double --cases 50 -j 1 --no-hard-cases --verbose --subject bug:tree_gravity_sign").second;
   EXPECT_SAYS(text, "  result    tau of ");
   EXPECT_SAYS(text, "    tau[");
   EXPECT_SAYS(text, "expected  ");
@@ -319,12 +319,12 @@ for call in iter(calls.readline, b""):
     answers.flush()
 )";
   EXPECT_SAYS(
-      run("campaign --cases 1000 -j 1 --no-hard-cases --adapter '/usr/bin/python3 " + file + "'").second,
+      run("campaign --cases 1000 -j 1 --no-hard-cases --verbose --adapter '/usr/bin/python3 " + file + "'").second,
       "perhaps acos near 1, which keeps half of the digits: the error grows as 1 / theta^2");
 }
 
 TEST(Terminal, AFailureOfAnAdapterIsAProgramInItsOwnTerms) {
-  const std::string plain = run(of_adapter + adapter("pass")).second;
+  const std::string plain = run(of_adapter + adapter("pass") + " --verbose").second;
   EXPECT_SAYS(plain, "  as the adapter is called: exp3_quaternion in double\n    phi       ");
   EXPECT_EQ(plain.find("#include <liecheck"), std::string::npos) << plain;
   const std::string source = R"~({"source": {"exp3_quaternion": "print(mylib.exp([{phi}]))"}})~";

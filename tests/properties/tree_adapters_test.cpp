@@ -149,7 +149,7 @@ TEST(TreeAdapters, TheLawsFindEachPlantedFault) {
 TEST(TreeAdapters, AFailureIsPrintedWithWhatTheAdapterReturned) {
   const Fault& f = faults[0];
   const std::string command = "timeout -s KILL 60 " LIECHECK_PROGRAM
-                              " campaign --no-hard-cases --cases 3 -j 1 --property lagrange --adapter '" +
+                              " campaign --no-hard-cases --verbose --cases 3 -j 1 --property lagrange --adapter '" +
                               altered(f.name, f.file, f.from, f.to) + "'";
   const auto [code, text] = shell(command);
   EXPECT_EQ(code, 1) << text;
