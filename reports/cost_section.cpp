@@ -85,14 +85,14 @@ std::string price_table(const std::vector<CostPoint>& points, const std::vector<
 
 /// A table of operations by compilers and flags: latency, and the largest error in eps.
 std::string flags_table(const Json& cost) {
-  std::vector<std::pair<std::string, std::string>> modules;  // subjects and their flags
-  std::vector<std::string> operations;
+  Distinct<std::pair<std::string, std::string>> modules;  // subjects and their flags
+  Distinct<std::string> operations;
   std::map<std::pair<std::string, std::string>, std::string> cells;
   for (const Json& row : cost["rows"]) {
     if (!other_flags(row)) continue;
     const std::string subject = row["subject"], operation = row["operation"];
-    add_once(modules, {subject, row["version"].get<std::string>()});
-    add_once(operations, operation);
+    modules.add({subject, row["version"].get<std::string>()});
+    operations.add(operation);
     const Json& all = row["sets"].back();
     const double error = figure(row["error"]) / row["eps"].get<double>();
     cells[{operation, subject}] =
@@ -124,8 +124,8 @@ std::string cost_section(const Merged& merged) {
     if (!record.contains("cost")) continue;
     const Json &cost = record["cost"], &e = cost["environment"];
     const auto points = cost_points(cost);
-    std::vector<std::string> operations;
-    for (const CostPoint& p : points) add_once(operations, p.operation);
+    Distinct<std::string> operations;
+    for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
     out += advice(points);
     out += fmt::format(

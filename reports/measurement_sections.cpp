@@ -32,7 +32,7 @@ std::string figures_cell_of(const Json& figures) {
 /// Operations of one subject by environments.
 std::string matrix(const Json& record, const std::string& subject) {
   Cells heads{"operation"};
-  std::vector<std::string> names;
+  Distinct<std::string> names;
   std::vector<std::map<std::string, std::string>> columns;
   for (const Json& row : record["rows"]) {
     if (row["subject"] != subject) continue;
@@ -40,7 +40,7 @@ std::string matrix(const Json& record, const std::string& subject) {
     std::map<std::string, std::string>& column = columns.emplace_back();
     for (const Json& o : row["operations"]) {
       const std::string name = fmt::format("{} {}", text_of(o, "operation"), text_of(o, "scalar"));
-      add_once(names, name);
+      names.add(name);
       column[name] = figures_cell_of(o["figures"]);
     }
   }
@@ -57,10 +57,10 @@ std::string matrix(const Json& record, const std::string& subject) {
 
 std::string of_environments(const Json& record) {
   std::vector<Cells> rows;
-  std::vector<std::string> subjects;
+  Distinct<std::string> subjects;
   for (const Json& row : record["rows"]) {
     const Json& f = row["sum"];
-    add_once(subjects, row["subject"].get<std::string>());
+    subjects.add(row["subject"].get<std::string>());
     rows.push_back({text_of(row, "subject"), text_of(row, "environment"), status_of(row), dumped(f["checks"]),
                     share(f["same_calls"], f["calls"]), share(f["same_verdicts"], f["checks"]),
                     dumped(f["worse"]), eps_text(figure(f["of_limit"])),
@@ -114,8 +114,8 @@ std::string digits(const Json& value) {
 }
 
 std::string of_rounding(const Json& record) {
-  std::vector<std::string> subjects;
-  for (const Json& row : record["rows"]) add_once(subjects, row["subject"].get<std::string>());
+  Distinct<std::string> subjects;
+  for (const Json& row : record["rows"]) subjects.add(row["subject"].get<std::string>());
   std::string out;
   std::vector<Cells> lines;
   for (const Json& line : list_in(record, "lines"))

@@ -32,18 +32,6 @@ Json packed_rows(const Json& list) {
   return {{"*keys", std::move(keys)}, {"*columns", std::move(columns)}};
 }
 
-/// The distinct values of a list, and for each element the index of its value.
-Json packed_words(const Json& list) {
-  Json words = Json::array(), at = Json::array();
-  std::unordered_map<std::string, std::size_t> places;
-  for (const Json& value : list) {
-    const auto [place, is_new] = places.emplace(dumped(value), words.size());
-    if (is_new) words.push_back(value);
-    at.push_back(place->second);
-  }
-  return {{"*words", std::move(words)}, {"*at", std::move(at)}};
-}
-
 }  // namespace
 
 Json packed(const Json& value) {
@@ -54,10 +42,20 @@ Json packed(const Json& value) {
   }
   if (!value.is_array()) return value;
   if (are_rows(value)) return packed_rows(value);
-  Json all = Json::array();
-  for (const Json& part : value) all.push_back(packed(part));
-  Json words = packed_words(value);
-  return dumped(words).size() < dumped(all).size() ? words : all;
+  // The distinct values and for each element the index of its value, if that is shorter than the elements.
+  Json all = Json::array(), words = Json::array(), at = Json::array();
+  std::unordered_map<std::string, std::size_t> places;
+  std::size_t size = 0, size_of_words = std::string_view(R"({"*at":,"*words":[]})").size();
+  for (const Json& part : value) {
+    const std::string text = dumped(part);
+    all.push_back(packed(part));
+    size += (part.is_structured() ? dumped(all.back()) : text).size() + 1;
+    const auto [place, is_new] = places.emplace(text, words.size());
+    if (is_new) words.push_back(part), size_of_words += text.size() + 1;
+    at.push_back(place->second);
+    size_of_words += std::to_string(place->second).size() + 1;
+  }
+  return size_of_words <= size ? Json{{"*words", std::move(words)}, {"*at", std::move(at)}} : all;
 }
 
 }  // namespace liecheck::reports

@@ -54,16 +54,13 @@ std::string verdict_section(const Merged& merged) {
                                        {"fail", "over budget"},
                                        {"incomplete", "incomplete"},
                                        {"no verdict", "no verdict"}}) {
-    std::vector<std::string> subjects;
+    Distinct<std::string> subjects;
+    std::map<std::string, Cells> scalars;
     for (const Standing& s : all)
-      if (word(s) == standing) add_once(subjects, s.subject);
+      if (word(s) == standing) subjects.add(s.subject), scalars[s.subject].push_back(escaped(s.scalar));
     Cells texts;
-    for (const std::string& subject : subjects) {
-      Cells in;
-      for (const Standing& s : all)
-        if (word(s) == standing && s.subject == subject) in.push_back(escaped(s.scalar));
-      texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(in, ", ")));
-    }
+    for (const std::string& subject : subjects)
+      texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(scalars[subject], ", ")));
     if (!texts.empty()) item(name, fmt::format("{}", fmt::join(texts, "; ")));
   }
   for (const Json& r : merged.records) {
@@ -83,13 +80,12 @@ std::string verdict_section(const Merged& merged) {
   if (hard > 0)
     item("hard cases",
          fmt::format("{} cells, one for each case × law × subject × scalar; {} failed", hard, hard_failed));
-  std::map<std::string, Cells> cliffs;  // by subject
+  std::map<std::string, Distinct<std::string>> cliffs;  // by subject
   for (const Json& r : merged.records)
     for (const Json& c : list_in(r, "cliffs"))
       if (!c["expected"].get<bool>())
-        add_once(cliffs[c["subject"]],
-                 fmt::format("{} {} at {} in {}", text_of(c, "operation"), text_of(c, "block"),
-                             text_of(c, "band"), text_of(c, "scalar")));
+        cliffs[c["subject"]].add(fmt::format("{} {} at {} in {}", text_of(c, "operation"),
+                                             text_of(c, "block"), text_of(c, "band"), text_of(c, "scalar")));
   for (const auto& [subject, where] : cliffs)
     item("cliffs", fmt::format("<b>{}</b>: {}", escaped(subject), fmt::join(where, ", ")));
   out += "</dl>";
@@ -159,7 +155,7 @@ std::string layout_text(const Json& layout) {
 /// Table rows of a list ("blocks", "operations" or "properties") of all records, each row once. A missing
 /// field gives an empty cell.
 std::vector<Cells> listed(const Merged& merged, const char* list, std::initializer_list<const char*> fields) {
-  std::vector<Cells> rows;
+  Distinct<Cells> rows;
   for (const Json& record : merged.records)
     for (const Json& entry : record[list]) {
       Cells row;
@@ -167,7 +163,7 @@ std::vector<Cells> listed(const Merged& merged, const char* list, std::initializ
         const Json value = entry.value(field, Json(""));
         row.push_back(value.is_array() ? layout_text(value) : escaped(value));
       }
-      add_once(rows, row);
+      rows.add(row);
     }
   return rows;
 }
@@ -175,24 +171,23 @@ std::vector<Cells> listed(const Merged& merged, const char* list, std::initializ
 /// The definitions of blocks; operations with the same definition share a row.
 std::vector<Cells> block_rows(const Merged& merged) {
   std::vector<Cells> rows;
+  std::map<Cells, std::size_t> places;
   for (const Cells& row : listed(merged, "blocks", {"operation", "block", "error", "denominator", "unit"})) {
-    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Cells& other) {
-      return std::equal(row.begin() + 1, row.end(), other.begin() + 1);
-    });
-    if (same == rows.end())
+    const auto [same, fresh] = places.emplace(Cells(row.begin() + 1, row.end()), rows.size());
+    if (fresh)
       rows.push_back(row);
     else
-      same->front() += ", " + row.front();
+      rows[same->second].front() += ", " + row.front();
   }
   return rows;
 }
 
 std::string definitions_section(const Merged& merged) {
-  std::vector<Cells> eps;
+  Distinct<Cells> eps;
   for (const Standing& s : standings(merged)) {
     const Cells row = {escaped(s.scalar), fmt::format("{:.6g}", s.eps),
                        fmt::format("2<sup>{}</sup>", std::ilogb(s.eps))};
-    if (s.eps > 0) add_once(eps, row);
+    if (s.eps > 0) eps.add(row);
   }
   return table("Error of each block of each operation",
                {"operations", "block", "error", "denominator", "unit"}, block_rows(merged)) +
@@ -205,17 +200,17 @@ std::string definitions_section(const Merged& merged) {
 }
 
 std::string coverage_section(const Merged& merged) {
-  std::vector<Cells> rows;
+  Distinct<Cells> rows;
   for (const Standing& s : standings(merged))
     for (const std::string& name : s.not_offered)
-      rows.push_back({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
+      rows.add({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
   for (const Json& record : merged.records)
     for (const Json& entry : list_in(record, "not_measured"))
-      add_once(rows, {text_of(entry, "subject"), text_of(entry, "scalar"), text_of(entry, "property"),
-                      text_of(entry, "what")});
+      rows.add({text_of(entry, "subject"), text_of(entry, "scalar"), text_of(entry, "property"),
+                text_of(entry, "what")});
   for (const Json& record : merged.records)
     for (const std::string name : record["absent"])
-      add_once(rows, {escaped(name), "all", "all", "absent from this build"});
+      rows.add({escaped(name), "all", "all", "absent from this build"});
   if (rows.empty()) return "<p>Every subject offers every operation and was measured; none is absent.</p>\n";
   return table("What was not measured", {"subject", "scalar", "operation or law", "why"}, rows);
 }

@@ -4,10 +4,10 @@
 //
 // JSON has no infinity and no NaN: the strings "inf" and "nan" stand for them.
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <support/json.hpp>
@@ -63,10 +63,21 @@ bool has_worst(const Json& row);
 /// The number in `value`; for the strings "inf" and "nan", infinity and NaN.
 double figure(const Json& value);
 
-/// Appends the item if the list does not contain it yet.
+/// Different items, in the order in which they came.
 template <class T>
-void add_once(std::vector<T>& list, const T& item) {
-  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
-}
+class Distinct {
+ public:
+  void add(const T& item) {
+    if (known_.insert(item).second) list_.push_back(item);
+  }
+  bool empty() const { return list_.empty(); }
+  auto begin() const { return list_.begin(); }
+  auto end() const { return list_.end(); }
+  operator const std::vector<T>&() const { return list_; }
+
+ private:
+  std::set<T> known_;
+  std::vector<T> list_;
+};
 
 }  // namespace liecheck::reports

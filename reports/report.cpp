@@ -50,7 +50,8 @@ std::string csv(const Merged& merged) {
 ReportFiles write_report(const std::vector<std::filesystem::path>& records,
                          const std::filesystem::path& out_dir) {
   const Merged merged = merge_records(records);
-  Json whole = {{"records", merged.records}, {"results", merged.results}};
+  Json whole;  // without a second copy, which a list of members would make
+  whole["records"] = merged.records, whole["results"] = merged.results;
   const std::string html = page(merged, whole);
   for (const auto& [kind, all] : merged.measurements) whole[kind] = all;
   properties::make_folder("--out", out_dir.string());

@@ -34,11 +34,11 @@ std::string verdict(const Json& s) {
 /// A table of integrators by scenes: observed order, number of halvings, scalar, smallest error in double.
 std::string orders(const Json& s) {
   Cells heads = {"integrator", "order"};
-  std::vector<std::string> names;
+  Distinct<std::string> names;
   for (const Json& scene : s["scenes"]) {
     if (scene["orders"].empty()) continue;
     heads.push_back(text_of(scene, "scene") + (scene["closed"] ? "" : " (reference)"));
-    for (const Json& row : scene["orders"]) add_once<std::string>(names, row["integrator"]);
+    for (const Json& row : scene["orders"]) names.add(row["integrator"]);
   }
   std::vector<Cells> rows;
   for (const std::string& name : names) {
@@ -186,8 +186,9 @@ std::string costs(const Json& s) {
          table(
              "The stages of three plans, as liecheck scene explain measures them. A plan has only the stages "
              "of the effects that its scene names",
-             {"scene", "stage", "runs each", "instructions", "time", "equation", "energy", "why the plan has it"}, rows,
-             true) +
+             {"scene", "stage", "runs each", "instructions", "time", "equation", "energy",
+              "why the plan has it"},
+             rows, true) +
          "</details>\n";
 }
 

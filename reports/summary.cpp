@@ -68,7 +68,7 @@ std::vector<Standing> standings(const Merged& merged) {
       Standing& standing = of(s["name"], s["scalar"]);
       standing.version = s["version"];
       standing.eps = s["eps"];
-      for (const std::string name : s["not_offered"]) add_once(standing.not_offered, name);
+      for (const std::string name : s["not_offered"]) standing.not_offered.add(name);
     }
   for (const Json& record : merged.records)
     for (const Json& entry : list_in(record, "not_measured"))

@@ -17,7 +17,7 @@ struct Standing {
   int not_measured = 0;                                  ///< number of such entries in the records
   std::uint64_t not_finite = 0, wrong_branch = 0;        ///< number of cases
   const Json* worst = nullptr;                           ///< its worst judged row; null if no row was judged
-  std::vector<std::string> not_offered;
+  Distinct<std::string> not_offered;
 };
 
 /// The figure that the budget of a row limits: max_eps under rule "forward", max_excess under "excess".

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +27,8 @@
 #include <mutex>
 #include <support/float_environment.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
+#include <thread>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -68,6 +72,15 @@ std::set<std::string> names_in(const char* text, const std::vector<std::string>&
 
 /// The shared library in a file, and its liecheck_get_adapter().
 std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) {
+  const std::jthread slow([&](const std::stop_token& ended) {
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any end;
+    end.wait_for(lock, ended, std::chrono::seconds(1), [] { return false; });
+    if (!ended.stop_requested() && isatty(2))
+      std::fprintf(stderr, "%s is loaded, and its constructors have not returned yet\n",
+                   printable(file).c_str());
+  });
   const FloatEnvironment
       environment;  // with -ffast-math, the library makes its loader flush subnormal numbers
   void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),

@@ -103,6 +103,13 @@ std::string help_of(const CLI::App& program, const std::string& name) {
   return text;
 }
 
+/// CLI11's message, or one that says that an option is given twice.
+std::string given_twice(const CLI::ParseError& e) {
+  const std::string text = e.what();
+  const auto at = text.find(": At Most 1 required");
+  return at == text.npos ? text : text.substr(0, at) + ": given more than once, perhaps by its other name";
+}
+
 /// CLI11's message, or one that names an unknown command or option.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   const CLI::App* at = &program;
@@ -110,7 +117,7 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
   const auto rest = at->remaining();
   if (commands.empty() || (rest.empty() && (at == &program || at->get_require_subcommand_min() == 0)))
-    return e.what();
+    return given_twice(e);
   std::vector<std::string> known;
   for (const CLI::App* command : commands) known.push_back(command->get_name());
   if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));

@@ -136,19 +136,19 @@ void check_own_output(const scene::Scene& scene, const char* key, const std::str
   if (file.empty()) return;
   namespace fs = std::filesystem;
   const auto refuse = [&](const char* why) {
-    throw std::invalid_argument(fmt::format("{}: output.{}: '{}' {}: --{} FILE writes to any file",
+    throw std::invalid_argument(fmt::format("{}: output.{}: '{}' {} --{} FILE writes to any file",
                                             scene.source, key, file, why, key));
   };
   std::error_code error;
-  if (!is_inside(".", file)) refuse("is outside of the working folder");
+  if (!is_inside(".", file)) refuse("is outside of the working folder:");
   const fs::path real = fs::weakly_canonical(fs::absolute(file), error), here = fs::canonical(".", error);
-  if (real.extension() != std::string(".") + key) refuse("has another ending than its kind");
-  if (("/" + real.lexically_relative(here).string()).find("/.") != std::string::npos) refuse("is hidden");
+  if (real.extension() != std::string(".") + key) refuse("has another ending than its kind:");
+  if (("/" + real.lexically_relative(here).string()).find("/.") != std::string::npos) refuse("is hidden:");
   if (!fs::exists(real, error)) return;
   std::string first(begin.size(), '\0');
   if (!fs::is_regular_file(real, error) ||
       !std::ifstream(real).read(first.data(), static_cast<std::streamsize>(first.size())) || first != begin)
-    refuse("exists, and no run of this scene wrote it");
+    refuse("exists, and no run of this scene as it is now wrote it: remove it, or");
 }
 
 /// Throws std::invalid_argument if two of the four files are the same.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/long_sums.hpp>
 #include <campaign/series.hpp>
 #include <chrono>
 #include <exception>
@@ -68,9 +69,11 @@ class Engine {
         start_(Clock::now()),
         saved_(start_),
         missing_(missing()),
-        progress_("", o_.quiet) {
+        progress_("", o_.quiet),
+        first_chunk_(result.robot.path.empty() ? 32 : 1),
+        round_size_(first_chunk_) {
     const auto [first, last] = o_.range();
-    for (const auto& s : result_.series) queues_.push_back({s.tally.done.gaps(first, last), first_chunk});
+    for (const auto& s : result_.series) queues_.push_back({s.tally.done.gaps(first, last), first_chunk_});
   }
 
   void run() {
@@ -82,7 +85,6 @@ class Engine {
   }
 
  private:
-  static constexpr std::uint64_t first_chunk = 32;
   static constexpr double chunk_seconds = 0.4;
   struct Queue {
     std::vector<Range> todo;
@@ -110,7 +112,7 @@ class Engine {
       if (q.todo.empty()) continue;
       s = next_++;
       auto& [first, last] = q.todo.front();
-      const std::uint64_t share = std::max(first_chunk, (last - first) / (2 * o_.jobs));
+      const std::uint64_t share = std::max(first_chunk_, (last - first) / (2 * o_.jobs));
       from = first, to = first + std::min({o_.seconds ? round_size_ : q.size, share, last - first});
       first = to;
       if (first == last) q.todo.erase(q.todo.begin());
@@ -135,6 +137,7 @@ class Engine {
     std::uint64_t from = 0, to = 0;
     const auto limit = std::chrono::duration<double>(o_.seconds.value_or(1e8) + 1);
     const GivesUp slow_calls(start_ + std::chrono::duration_cast<Clock::duration>(limit));
+    const GivesUpLongSums long_sums;
     try {
       while (take(s, from, to)) {
         const auto start = Clock::now();
@@ -190,10 +193,11 @@ class Engine {
   Clock::time_point start_, saved_;
   std::uint64_t missing_;
   Progress progress_;
+  const std::uint64_t first_chunk_;  ///< a case of a large robot may take minutes
   std::mutex mutex_;
   std::vector<Queue> queues_;
   std::size_t next_ = 0;
-  std::uint64_t done_ = 0, round_size_ = first_chunk;
+  std::uint64_t done_ = 0, round_size_;
   double round_start_ = 0;
   Checkpoint::ChangedRows changed_;
   std::exception_ptr error_;

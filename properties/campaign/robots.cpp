@@ -1,7 +1,9 @@
 #include <campaign/robots.hpp>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <campaign/digest.hpp>
+#include <cmath>
 #include <generators/random_bits.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <span>
@@ -24,6 +26,11 @@ Robot robot_of(const std::string& urdf, const std::string& path, bool fixed,
     if (model.nqs[j] == 4)
       throw UrdfError(source, 0, "a planar joint: no law supports one yet", model.names[j]);
   r.name = model.name;
+  if (const double joints = model.njoints - 1; joints > 200)
+    read.warnings.push_back(fmt::format(
+        "{}: {} joints: a case of a law on trees takes about {:.0f} s, a time that grows with the cube of "
+        "the joints",
+        source, joints, 2 * std::pow(joints / 200, 3)));
   if (std::ranges::all_of(std::span(model.inertias).subspan(1), [](const auto& i) { return i.mass() == 0; }))
     read.warnings.push_back(source +
                             ": no body that moves has a mass: it has no centre of mass, so that the law "

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 #include <subjects/subject_names.hpp>
+#include <support/progress.hpp>
 
 namespace liecheck::properties {
 
@@ -48,7 +49,7 @@ void check_limits(const Selection& selection) {
   }
 }
 
-void add_series(const Selection& selection, const Robot& robot, const Scalar& scalar,
+void add_series(const Selection& selection, const Robot& robot, const Scalar& scalar, Counted& prepared,
                 std::vector<std::unique_ptr<Series>>& all) {
   const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
@@ -59,6 +60,7 @@ void add_series(const Selection& selection, const Robot& robot, const Scalar& sc
     if (selection.subjects.empty() && on_request(subject->name)) continue;
     for (auto& property : make_properties(scalar)) {
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
+      prepared.next();  // each reads the robot
       auto own = limits_of(selection, subject->name);
       const Profile profile = profile_of(selection, subject->name, own.get(), !subject->adapter.empty());
       auto series = std::make_unique<Series>(std::move(property), *subject, robot, own, profile);
@@ -97,8 +99,9 @@ std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Ro
   check_names(selection.scalars, {"float", "double"}, "scalar");
   check_limits(selection);
   std::vector<std::unique_ptr<Series>> all;
+  Counted prepared("preparing", "laws", 1);
   for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
-    add_series(selection, robot, *scalar, all);
+    add_series(selection, robot, *scalar, prepared, all);
   return all;
 }
 

@@ -1,12 +1,12 @@
 #include <failures/description.hpp>
 
 #include <fmt/format.h>
+#include <campaign/long_sums.hpp>
 #include <campaign/robots.hpp>
 #include <failures/blocks.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <search/shrink.hpp>
-#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -33,6 +33,7 @@ namespace {
 /// What follows after the case was measured again: the shrunk case, if it fails again.
 std::string measured_again(const Series& series, const CaseId& id, int output, int band,
                            const std::string& flags) try {
+  const GivesUpLongSums long_sums;
   const Shrunk s = shrink(series, id, output, 2000);
   if (!s.reproduced)
     return fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",

@@ -1,6 +1,7 @@
 // Confirms the product rule of tree.cpp by differences of poses.
 
 #include <oracles/agreement.hpp>
+#include <oracles/pause.hpp>
 #include <oracles/tree_sizes.hpp>
 
 namespace liecheck::oracles {
@@ -74,6 +75,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     step[k] = -t;
     const auto minus = poses(step);
     for (std::size_t i = 0; i < n; ++i) {
+      Pauses::look();
       Mat34<H> U = zeros<3, 4, H>();
       for (const ColumnOf<Real>& c : exact.columns()) {
         int j = static_cast<int>(i);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <oracles/closed_forms.hpp>
+#include <oracles/pause.hpp>
 
 namespace liecheck::oracles {
 namespace tree_detail {
@@ -128,6 +129,7 @@ template <class T>
 TreePoses<T>::TreePoses(const TreeOf<T>& tree, const Numbers& q, const Numbers& displaced)
     : origin(zero_vector<3, T>()) {
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    Pauses::look();
     const JointOf<T>& j = tree.joints[i];
     Mat34<T> E;
     if (j.primary < 0) {
@@ -259,6 +261,7 @@ std::vector<T> positive_factor(std::vector<T> A, std::size_t n) {
     if (!(A[k * n + k] > T(0))) return {};
     const T inverse = T(1) / A[k * n + k];
     for (std::size_t i = k + 1; i < n; ++i) {
+      Pauses::look();
       const T l = A[i * n + k] * inverse;
       for (std::size_t j = k + 1; j <= i; ++j) A[i * n + j] -= l * A[j * n + k];
     }
@@ -270,6 +273,7 @@ std::vector<T> positive_factor(std::vector<T> A, std::size_t n) {
 template <class T>
 std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   const std::size_t n = b.size();
+  Pauses::look();
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = k + 1; i < n && !is_zero(b[k]); ++i) b[i] -= L[i * n + k] * b[k];
   for (std::size_t k = n; k-- > 0;) {
@@ -302,12 +306,14 @@ Solver<T>::Solver(std::vector<T> A, std::size_t n) : A_(std::move(A)), factor_(p
         size_X += X[k * n + i] * X[k * n + i];
       }
     }
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
+      Pauses::look();
       for (std::size_t k = 0; k < n; ++k) {
         double sum = i == k ? -1 : 0;
         for (std::size_t l = 0; l < n; ++l) sum += B[i * n + l] * X[k * n + l];
         off += sum * sum;
       }
+    }
     size_X = std::sqrt(size_X);
     const double rounding = static_cast<double>(n + 8) * 0x1p-52 * (std::sqrt(size_B) * size_X + 1);
     const double distance = (std::sqrt(off) + rounding + std::sqrt(radii) * size_X) * (1 + 1e-9);

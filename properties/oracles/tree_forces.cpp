@@ -1,5 +1,6 @@
 // Forces, inertias, energies and momenta: sums over the mass elements of the bodies.
 
+#include <oracles/pause.hpp>
 #include <oracles/tree.hpp>
 
 namespace liecheck::oracles {
@@ -136,6 +137,7 @@ std::vector<T> TreeDynamics<T>::mass() const {
   sum_subtrees(tree_, moments);
   Numbers M(nv * nv, T(0));
   for (std::size_t l = 0; l < poses_->columns.size(); ++l) {
+    Pauses::look();
     const ColumnOf<T>& c = poses_->columns[l];
     const Mat<4, 3, T> Y =
         times_transposed(moments[static_cast<std::size_t>(c.joint)], generator(stack(c.u, c.w)));

@@ -1,3 +1,4 @@
+#include <oracles/pause.hpp>
 #include <oracles/tree_sizes.hpp>
 
 namespace liecheck::oracles {
@@ -199,6 +200,7 @@ void TreeSizes<N>::add_mass_matrix(const TreeOf<double>& tree) {
   const auto nv = static_cast<std::size_t>(tree.nv);
   for (std::size_t l = 0; l < joints.size(); ++l)
     for (int kl = 0; kl < velocity_size(tree.joints[l].kind); ++kl) {
+      Pauses::look();
       const TwistSize s = column_size(tree.joints[l], kl);
       const Joint& own = joints[l];
       double f = value(own.mass) * s.u + value(own.first_moment) * s.w,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <campaign/error_map.hpp>
+#include <campaign/long_sums.hpp>
 #include <cstdlib>
 #include <failures/calls.hpp>
 #include <failures/result.hpp>
@@ -49,6 +50,7 @@ void add_compared_numbers(json& record, const CampaignResult& campaign,
   std::atomic<std::size_t> next{0};
   Steps steps("numbers of the worst cases", rows.size());
   run_on_threads(std::max(campaign.options.jobs, 1u), stop_requested, [&] {
+    const GivesUpLongSums long_sums;
     for (std::size_t i; (i = next++) < rows.size() && !stop_requested;) {
       const auto& [series, output] = places.at(rows[i]);
       const json& worst = std::as_const(record)["results"][rows[i]]["worst"];

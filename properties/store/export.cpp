@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <support/json.hpp>
 #include <support/json_number.hpp>
+#include <support/progress.hpp>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -95,12 +96,14 @@ std::string export_text(const StoredCampaign& c) {
   SetDigest inputs, results;
   std::uint64_t total = 0, failed = 0;
   std::string series, cells, failures;
+  Counted rows("writing as text");
   for (const StoredSeries* s : sorted_series(c)) {
     inputs.merge(s->tally.inputs);
     results.merge(s->tally.results);
     total += s->tally.cases;
     series += series_line(*s);
     for (const auto& [cell, row] : s->tally.rows) {
+      rows.next();
       failed += row.failed;
       cells += cell_line(*s, cell, row);
       if (const auto f = s->failures.find(cell); f != s->failures.end())

@@ -13,6 +13,7 @@
 #include <set>
 #include <stdexcept>
 #include <store/row_seal.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -184,6 +185,7 @@ void Store::fail(const std::string& reason) const {
 }
 
 void Store::fail(const SQLite::Exception& error) const {
+  if (error.getErrorCode() == SQLITE_INTERRUPT) throw GivenUp{};
   fail(reason_of(error, sqlite3_system_errno(database_.getHandle())));
 }
 

@@ -1,5 +1,7 @@
 // Reads campaigns from a store, and checks that nothing is missing or damaged.
 
+#include <sqlite3.h>
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
@@ -12,6 +14,7 @@
 #include <store/store.hpp>
 #include <support/environment.hpp>
 #include <support/json.hpp>
+#include <support/progress.hpp>
 
 namespace liecheck::properties {
 
@@ -74,11 +77,15 @@ bool is_word(const std::string& name) {
   });
 }
 
+std::string changed_row(const char* table) {
+  return fmt::format("a row of its table {} was changed", table);
+}
+
 /// Reads one campaign.
 class Loader {
  public:
   Loader(const SQLite::Database& database, const std::string& path, int number)
-      : database_(database), path_(path), number_(number) {}
+      : database_(database), path_(path), number_(number), rows_("reading " + path) {}
 
   /// Returns nothing if the store has no campaign with this number.
   std::optional<StoredCampaign> load() {
@@ -96,11 +103,18 @@ class Loader {
   void check(bool good, const char* what) const {
     if (!good) throw std::runtime_error(fmt::format("{}: corrupt: {}", path_, what));
   }
-  void check_seal(const SQLite::Statement& row) const { check(has_true_seal(row), "a row was changed"); }
-  SQLite::Statement select(const char* query) const {
-    SQLite::Statement rows(database_, query);
+  /// The rows of a table that belong to the campaign, `key` in the table. next() goes to the next one.
+  SQLite::Statement select(const char* table, const char* key = "campaign", const char* order = "") {
+    table_ = table;
+    SQLite::Statement rows(database_, fmt::format("SELECT * FROM {} WHERE {} = ? {}", table, key, order));
     rows.bind(1, number_);
     return rows;
+  }
+  bool next(SQLite::Statement& row) {
+    if (!row.executeStep()) return false;
+    rows_.next();
+    if (!has_true_seal(row)) check(false, changed_row(table_).c_str());
+    return true;
   }
   StoredSeries& series_at(const SQLite::Statement& row) {
     const std::uint64_t i = count(row, 1);
@@ -109,9 +123,8 @@ class Loader {
   }
 
   bool load_spec() {
-    auto row = select("SELECT * FROM campaigns WHERE id = ?");
-    if (!row.executeStep()) return false;
-    check_seal(row);
+    auto row = select("campaigns", "id");
+    if (!next(row)) return false;
     CampaignSpec& spec = campaign_.spec;
     spec.seed = count(row, 1), spec.cases = count(row, 2);
     spec.first = count(row, 3), spec.last = count(row, 4);
@@ -123,9 +136,8 @@ class Loader {
   }
 
   void load_limits() {
-    auto row = select("SELECT * FROM limits WHERE campaign = ? ORDER BY subject");
-    while (row.executeStep()) {
-      check_seal(row);
+    auto row = select("limits", "campaign", "ORDER BY subject");
+    while (next(row)) {
       try {
         auto limits = std::make_shared<const SubjectLimits>(parse_limits(text(row, 2), text(row, 3)));
         check(limits->subject == text(row, 1), "limits of another subject");
@@ -137,9 +149,8 @@ class Loader {
   }
 
   void load_series() {
-    auto row = select("SELECT * FROM series WHERE campaign = ? ORDER BY series");
-    while (row.executeStep()) {
-      check_seal(row);
+    auto row = select("series", "campaign", "ORDER BY series");
+    while (next(row)) {
       check(count(row, 1) == campaign_.series.size(), "a series is missing");
       StoredSeries s;
       s.property = text(row, 2), s.subject = text(row, 3), s.subject_version = text(row, 4);
@@ -163,9 +174,8 @@ class Loader {
   }
 
   void load_done() {
-    auto row = select("SELECT * FROM done WHERE campaign = ?");
-    while (row.executeStep()) {
-      check_seal(row);
+    auto row = select("done");
+    while (next(row)) {
       const std::uint64_t first = count(row, 2), last = count(row, 3);
       check(first < last && first >= campaign_.spec.first && last <= campaign_.spec.last &&
                 series_at(row).tally.done.add(first, last),
@@ -174,9 +184,8 @@ class Loader {
   }
 
   void load_cells() {
-    auto row = select("SELECT * FROM cells WHERE campaign = ?");
-    while (row.executeStep()) {
-      check_seal(row);
+    auto row = select("cells");
+    while (next(row)) {
       StoredSeries& s = series_at(row);
       const Cell cell{number(row, 2), number(row, 3)};
       s.labels[cell] = {text(row, 4), text(row, 5), text(row, 6)};
@@ -194,9 +203,8 @@ class Loader {
   }
 
   void load_failures() {
-    auto row = select("SELECT * FROM failures WHERE campaign = ?");
-    while (row.executeStep()) {
-      check_seal(row);
+    auto row = select("failures");
+    while (next(row)) {
       series_at(row).failures[{number(row, 2), number(row, 3)}] = {count(row, 4), text(row, 5)};
     }
   }
@@ -214,6 +222,8 @@ class Loader {
   const SQLite::Database& database_;
   const std::string& path_;
   int number_;
+  Counted rows_;
+  const char* table_ = "";  ///< which is read
   StoredCampaign campaign_;
   std::vector<std::uint64_t> cells_;  ///< the number of cells that each series must have
 };
@@ -230,20 +240,28 @@ StoredCampaign Store::load(int number) try {
 
 std::vector<Counterexample> Store::counterexamples() try {
   std::vector<Counterexample> all;
+  Counted rows("reading " + path_);
   for (const char* table : {"series", "cells", "failures", "counterexamples"}) {
     SQLite::Statement sealed(database_, fmt::format("SELECT * FROM {}", table));
-    while (sealed.executeStep())
-      if (!has_true_seal(sealed)) fail("corrupt: a row was changed");
+    while (sealed.executeStep()) {
+      rows.next();
+      if (!has_true_seal(sealed)) fail("corrupt: " + changed_row(table));
+    }
   }
+  // Before the first row, all are sorted.
+  sqlite3_progress_handler(
+      database_.getHandle(), 100000, [](void* of) -> int { return static_cast<Counted*>(of)->given_up(); },
+      &rows);
   SQLite::Statement row(
       database_,
       "SELECT s.property, s.subject, s.scalar, s.robot, c.operation, c.block, f.input FROM failures f "
       "JOIN series s USING(campaign, series) JOIN cells c USING(campaign, series, output, band) "
       "UNION SELECT property, subject, scalar, robot, operation, block, input FROM counterexamples "
       "ORDER BY 1, 2, 3, 4, 5, 6, 7");
-  while (row.executeStep())
+  for (; row.executeStep(); rows.next())
     all.push_back(
         {text(row, 0), text(row, 1), text(row, 2), text(row, 3), text(row, 4), text(row, 5), text(row, 6)});
+  sqlite3_progress_handler(database_.getHandle(), 0, nullptr, nullptr);
   return all;
 } catch (const SQLite::Exception& e) {
   fail(e);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
+#include <support/progress.hpp>
 
 namespace liecheck::properties {
 
@@ -154,10 +155,11 @@ void Store::write(const StoredCampaign& c, bool replace_last, const std::vector<
                             "cells WHERE campaign", "limits WHERE campaign", "failures WHERE campaign"})
     database_.exec(fmt::format("DELETE FROM {} = {}", table, campaign_));
   insert(c.spec);
+  Counted rows("writing " + path_);
   for (std::size_t i = 0; i < c.series.size(); ++i) {
     const StoredSeries& s = c.series[i];
     write_series(i, s, s.tally);
-    for (const auto& [cell, r] : s.tally.rows) write_cell(i, cell, s.labels.at(cell), r);
+    for (const auto& [cell, r] : s.tally.rows) rows.next(), write_cell(i, cell, s.labels.at(cell), r);
     for (const auto& [cell, failure] : s.failures) write_failure(i, cell, failure);
   }
   insert(others);
@@ -176,8 +178,10 @@ void Store::adopt(const std::vector<Counterexample>& others) try {
 
 void Store::insert(const std::vector<Counterexample>& others) {
   SQLite::Statement row(database_, "REPLACE INTO counterexamples VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+  Counted rows("writing " + path_);
   for (const Counterexample& x : others)
-    bind_sealed_row(row, x.property, x.subject, x.scalar, x.robot, x.operation, x.block, x.input).exec();
+    rows.next(),
+        bind_sealed_row(row, x.property, x.subject, x.scalar, x.robot, x.operation, x.block, x.input).exec();
 }
 
 }  // namespace liecheck::properties

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdio>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties {
@@ -40,13 +41,18 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
   const double now = elapsed();
   if (!last && now - shown_ < (terminal_ ? 0.2 : 10.0)) return;
   shown_ = now;
-  share = std::clamp(share, 0.0, 1.0);
-  const std::string left = share > 0 ? clock_text(now * (1 - share) / share) : "?";
-  const std::string text = printable(fmt::format(
-      "{}{:3.0f} %  {}  left {}", what_.empty() ? "" : what_ + ": ", share * 100, detail(now), left));
+  std::string text = what_.empty() ? "" : what_ + ": ";
+  if (share < 0) {
+    text += fmt::format("{}  {}", detail(now), clock_text(now));
+  } else {
+    share = std::min(share, 1.0);
+    const std::string left = share > 0 ? clock_text(now * (1 - share) / share) : "?";
+    text += fmt::format("{:3.0f} %  {}  left {}", share * 100, detail(now), left);
+  }
+  text = printable(text);
   if (terminal_) {
     const int columns = terminal_columns(), room = columns - 4 - static_cast<int>(text.size());
-    const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);
+    const int width = share < 0 ? 0 : std::clamp(room, 0, 30), full = static_cast<int>(share * width);
     const std::string bar = width < 5 ? "" : fmt::format("[{:#<{}}{:.<{}}] ", "", full, "", width - full);
     // Spaces overwrite a longer line. The last column stays free: some terminals begin a new line there.
     const std::string line = fmt::format("{:<{}}", bar + text, bar.size() + text.size() + 3);
@@ -64,6 +70,18 @@ Steps::Steps(std::string what, std::size_t all) : progress_(std::move(what), isa
 void Steps::done(const std::string& piece) {
   const std::lock_guard lock(mutex_);
   progress_.show(static_cast<double>(++done_) / static_cast<double>(all_), piece);
+}
+
+Counted::Counted(std::string what, std::string pieces, std::size_t every)
+    : progress_(std::move(what)), pieces_(std::move(pieces)), every_(every) {}
+
+void Counted::next() {
+  if (++done_ % every_ == 0 && given_up()) throw GivenUp{};
+}
+
+bool Counted::given_up() {
+  progress_.show(-1, fmt::format("{} {}", done_, pieces_));
+  return stop_requested && progress_.elapsed() > 0.5;
 }
 
 }  // namespace liecheck::properties

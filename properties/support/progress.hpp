@@ -17,7 +17,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// `share`: how much of the work is done, in [0, 1]. detail(elapsed [s]) returns text for the line, such as
+  /// `share`: how much of the work is done, in [0, 1], or -1 if nobody knows. detail(elapsed [s]) returns text for the line, such as
   /// a count; it is called only if a line is printed. `last` ends the line, which then stays.
   void show(double share, const std::function<std::string(double)>& detail, bool last = false);
   void show(double share, const std::string& detail) {
@@ -43,6 +43,19 @@ class Steps {
   Progress progress_;
   std::mutex mutex_;
   std::size_t done_ = 0, all_;
+};
+
+/// Shows how many pieces of a number that nobody knows are done, and looks at them and at signals at every `every`th.
+class Counted {
+ public:
+  explicit Counted(std::string what, std::string pieces = "rows", std::size_t every = 256);
+  void next();      ///< throws GivenUp at a signal, unless the work has just begun
+  bool given_up();  ///< whether next() would; shows the pieces
+
+ private:
+  Progress progress_;
+  std::string pieces_;
+  std::size_t every_, done_ = 0;
 };
 
 }  // namespace liecheck::properties

@@ -376,13 +376,14 @@ std::vector<Hostile> all() {
       store("StoreWithoutATable", with_store, "corrupt: its table counterexamples is missing",
             "store: DROP TABLE counterexamples"),
       store("StoreOfAnEarlierVersion", with_store, "a store of version 4", "store: PRAGMA user_version = 4"),
-      store("StoreWithACounterexample", replayed, "corrupt: a row was changed",
+      store("StoreWithACounterexample", replayed, "corrupt: a row of its table counterexamples was changed",
             "store: INSERT INTO counterexamples VALUES('twist', 'liecheck', 'double', 'none', 'x', 'y', '1', "
             "0)"),
-      store("StoreWithACounterexampleToMerge", merged, "corrupt: a row was changed",
+      store("StoreWithACounterexampleToMerge", merged,
+            "corrupt: a row of its table counterexamples was changed",
             "store: INSERT INTO counterexamples VALUES('twist', 'liecheck', 'double', 'none', 'x', 'y', '1', "
             "0)"),
-      store("StoreWithOtherRanges", with_store, "corrupt: a row was changed",
+      store("StoreWithOtherRanges", with_store, "corrupt: a row of its table done was changed",
             "store: UPDATE done SET first = first + 1, last = last + 1"),
       store("StoreOfACommand", "$L compare s.db s.db --markdown m.md", "corrupt: a name is no word",
             "sealed: UPDATE series SET subject = 'x;touch ran;$(touch ran)'"),

@@ -69,6 +69,7 @@ TEST_F(Program, NumbersArePlainDecimalAndInRange) {
   for (const char* bad : {"0", "-5", "1099511627777"})
     refused("campaign --cases " + std::string(bad), "--cases: '");
   for (const char* bad : {"0", "1025", "two"}) refused("campaign -j " + std::string(bad), "--jobs: '");
+  refused("campaign -j 1 --jobs 0", "--jobs: given more than once");
   for (const char* bad : {"5x", "0x10", "inf", "nan", "-1", "1e9h", "m", "1e-400s", "1e400", "0.0"})
     refused("campaign --for " + std::string(bad), "--for: not a duration");
   refused("campaign --for 0." + std::string(400, '0') + "1s", "--for: not a duration");

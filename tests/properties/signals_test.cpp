@@ -424,6 +424,34 @@ TEST_F(StoppedProgram, EndsWhileItsOutputIsNotRead) {
   ::close(reader);
 }
 
+TEST_F(StoppedProgram, EndsWithinACaseOfALargeRobot) {
+  std::string urdf = "<robot name='chain'>";
+  constexpr int joints = 800;  // a case takes two minutes
+  for (int i = 0; i <= joints; ++i) {
+    urdf += fmt::format(
+        "<link name='l{}'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+        "izz='1'/>"
+        "</inertial></link>\n",
+        i);
+    if (i > 0)
+      urdf += fmt::format(
+          "<joint name='j{}' type='prismatic'><parent link='l{}'/><child link='l{}'/><limit lower='-1' "
+          "upper='1' effort='1' velocity='1'/></joint>\n",
+          i, i - 1, i);
+  }
+  std::ofstream(folder_ / "r.urdf") << urdf << "</robot>";
+  Process p(folder_, "campaign --no-hard-cases --robot r.urdf --property tree_momentum --cases 9 -j 1");
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  EXPECT_NE(read(folder_ / "err").find("801 joints: a case of a law on trees takes about"),
+            std::string::npos);
+  const double before = p.processor_time();
+  ASSERT_FALSE(p.ended());
+  p.signal(SIGTERM);
+  ASSERT_TRUE(p.ends_within(hang));
+  EXPECT_EQ(p.code(), 3);
+  EXPECT_LE(p.processor_time() - before, soon);
+}
+
 TEST_F(StoppedProgram, EndsWhatTheShellOfAnAdapterStarted) {
   std::ofstream(folder_ / "start") << "echo $$ >id; exec sleep 1000\n";
   Process p(folder_, "adapter check 'sh ./start; true'");

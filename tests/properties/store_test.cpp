@@ -17,6 +17,7 @@
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
 #include <support/files.hpp>
+#include <support/progress.hpp>
 #include <thread>
 
 #include "../refusal.hpp"
@@ -346,6 +347,18 @@ TEST_F(Stores, StopAtASignalAndSayHowToResume) {
   EXPECT_GT(load_campaign(file("a b")).series.at(0).tally.cases, 0u);
   EXPECT_EQ(program("campaign --store " + file("x") + " --shard 3/2"), 2);
   EXPECT_SAYS(written("stderr"), "--shard: '3/2' is not I/N");
+}
+
+TEST(Counted, IsGivenUpAtASignalUnlessItHasJustBegun) {
+  Counted rows("reading");
+  const auto read = [&] {
+    for (int i = 0; i < 256; ++i) rows.next();
+  };
+  stop_requested = true;
+  EXPECT_NO_THROW(read());
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  EXPECT_THROW(read(), GivenUp);
+  stop_requested = false;
 }
 
 }  // namespace

@@ -343,6 +343,16 @@ TEST(Terminal, ASharedLibraryMayHaveItsOwnProgram) {
   EXPECT_SAYS(text, "}, Q[4];\nexp3_quaternion(1, phi, Q, NULL);\n");
 }
 
+TEST(Terminal, ALibraryThatHangsWhileItIsLoadedIsNamed) {
+  const auto [code, text] = shell(
+      "cd " + liecheck::own_folder() +
+      " && printf '#include <unistd.h>\\n__attribute__((constructor)) static void f(void) { sleep(3); }' | "
+      "cc -shared -fPIC -x c - -o slow.so && script -qec \"$L adapter check in-process:./slow.so\" "
+      "/dev/null");
+  if (text.find("slow.so") == std::string::npos) GTEST_SKIP() << "no script(1)";
+  EXPECT_SAYS(text, "./slow.so is loaded, and its constructors have not returned yet");
+}
+
 TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
   const std::string text = run(of_cases(20) + adapter("raise ValueError('no luck')")).second;
   const auto first =

@@ -204,6 +204,7 @@ TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
   // yaml-cpp's LoadAll returns documents without end here.
   EXPECT_EQ(refusalOfText(", a: 1}\n"), "s.yaml:1: is not YAML: a value cannot begin so");
+  EXPECT_EQ(refusalOfText("\n" + std::string(3000, '[')), "s.yaml:2: is nested too deeply");
   EXPECT_EQ(refusalOfText("a: 1\n---\nb: 2\n"),
             "s.yaml:2: contains several documents: a scene is one document");
 }

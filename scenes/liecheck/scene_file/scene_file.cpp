@@ -1,5 +1,6 @@
 #include <liecheck/scene_file/scene_file.hpp>
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 #include <algorithm>
@@ -224,6 +225,8 @@ Scene read(const Text& text, const std::string& content, std::vector<std::string
     if (const int line = lineOfSecondDocument(content))
       text.refuse(line, "contains several documents: a scene is one document");
     root = YAML::Load(content);
+  } catch (const YAML::DeepRecursion& e) {
+    text.refuse(e.mark.line + 1, "is nested too deeply");
   } catch (const YAML::Exception& e) {
     const int line = e.mark.is_null() ? 0 : e.mark.line + 1;
     text.refuse(line, "is not YAML: " + e.msg + unitBehindList(content, line));
