@@ -52,7 +52,7 @@ const std::vector<Room> harness = {
      {"support", "oracles", "operations", "conventions", "generators", "subjects", "invariants", "campaign"}},
     {"failures",
      {"lib", "support", "oracles", "operations", "conventions", "generators", "budgets", "subjects",
-      "invariants", "adapters", "campaign", "search"}},
+      "invariants", "adapters", "campaign", "search", "hard_cases"}},
     {"rules", {"support", "generators", "budgets", "invariants", "campaign", "hard_cases"}},
     {"laws",
      {"support", "generators", "subjects", "invariants", "adapters", "campaign", "search", "hard_cases",

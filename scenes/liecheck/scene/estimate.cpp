@@ -181,7 +181,7 @@ class Estimator {
     result_.accepted.angle = accepted(setup_.scene.accepted_angle, extent.angle);
   }
 
-  /// A run with about ratio times as long steps, or none if it diverges.
+  /// A run with about ratio times as long steps, or none if it diverges or if its phases take ten times as many steps.
   std::optional<Twin> twin(double ratio) { return twin(ratio, ratio); }
   std::optional<Twin> twin(double ratio, double phases) {
     result_.by += (result_.by.empty() ? "steps of " : ", ") + decimal(ratio) + " h" +
@@ -195,13 +195,13 @@ class Estimator {
     const double h = setup_.step(), all = double(points_.back().step);
     Twin twin{ratio, {points_[0].state}};
     State<Sys> now = points_[0].state;
-    long made = 0;
+    long made = 0, left = std::lround(10 * (all + double(phases_.tried)) * std::max(1.0, 1 / phases));
     for (std::size_t k = 1; k < points_.size(); ++k) {
       const long length = points_[k].step - points_[k - 1].step;
       const bool divides = ratio < 1 && !adaptive_;  // the steps of the run, each in equal parts
       const long steps = divides ? length : std::max(1L, std::lround(double(length) / ratio));
       Span span{h * double(length), steps, painleve_ ? 1 : 256};
-      span.coarse = phases;
+      span.coarse = phases, span.compared = left;
       if (divides) span.divide = int(std::ceil(1 / ratio - 1e-9));
       const Outcome o = simulate(setup_.system, *method, now, span, [&](const auto& state, long n) {
         if (painleve_) lookForParadox(state);
@@ -209,7 +209,7 @@ class Estimator {
       });
       if (o.stopped && o.steps < steps) throw Interrupted();
       shortened_ = shortened_ || (ratio > 1 && o.phases.count > 0);
-      made += o.steps * span.divide;
+      made += o.steps * span.divide, left -= o.phases.tried;
       result_.cost += adaptive_ ? double(length) / ratio / all : double(o.steps * span.divide) / all;
       if (o.diverged) return {};
       now.t = points_[k].state.t;

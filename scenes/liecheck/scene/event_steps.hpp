@@ -21,6 +21,7 @@
 //   the extremum of the parabola through the function's last three values if that lies beyond the change of sign.
 
 #include <cmath>
+#include <limits>
 #include <liecheck/scene/phase_check.hpp>
 
 namespace liecheck::scene {
@@ -32,13 +33,13 @@ class EventSteps {
   /// With a method of order 1, steps end only at the events that are known beforehand, and the branches are those at each
   /// evaluation: it keeps its order so, since a force is continuous where its branch changes.
   EventSteps(Sys& system, const State<Sys>& state, const MethodInfo& method, const S& h, double coarse = 1,
-             int divide = 1)
+             int divide = 1, long most = std::numeric_limits<long>::max())
       : pieces_(system.pieces()),
         switches_(system.switches()),
         before_(state),
         trial_(state),
         beyond_(state),
-        check_(state, method, coarse, divide) {
+        check_(state, method, coarse, divide, most) {
     skip(state.t);
     learn(system, state);
     switching_ = method.order > 1 && !switches_.none();

@@ -25,16 +25,19 @@ struct PhaseSteps {
   double shortest = 0;  ///< length of the shortest one [s], or 0
   std::optional<double>
       unresolved;  ///< first time at which steps of h/4096 differ by more than 1e-6 of v [s]
+  long tried = 0;  ///< steps that were compared with two of half the length
 };
 
 template <class Sys>
 class PhaseCheck {
  public:
   using S = typename Sys::Scalar;
-  PhaseCheck(const State<Sys>& state, const MethodInfo& method, double ratio, int divide)
+  /// A run that compares more than `most` steps fails.
+  PhaseCheck(const State<Sys>& state, const MethodInfo& method, double ratio, int divide, long most)
       : twice_(state),
         order_(method.order),
         divide_(divide),
+        most_(most),
         tolerance_(std::max(1e-4, std::pow(10., -1 - 0.75 * method.order)) * std::pow(ratio, method.order)),
         enabled_(method.order > 1 && !method.adaptive) {}
 
@@ -63,6 +66,7 @@ class PhaseCheck {
   bool agrees(const Sys& system, const State<Sys>* once, const State<Sys>& from, const S& s, const S& whole,
               Halves halves) {
     using std::max, std::min, std::pow;
+    if (++made_.tried > most_) throw StepFailed("phases of the forces take too many steps");
     S error = std::numeric_limits<S>::infinity(), apart = error;
     if (once && halves(S(s / S(2)), twice_)) {
       const auto size = [](const auto& x) { return S(x.cwiseAbs().maxCoeff()); };
@@ -99,6 +103,7 @@ class PhaseCheck {
  private:
   State<Sys> twice_;
   int order_, divide_;
+  long most_;
   double tolerance_;
   bool enabled_;
   int left_ = 0;

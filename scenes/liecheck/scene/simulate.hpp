@@ -13,6 +13,7 @@ struct Span {
   long first = 0;       ///< steps made by an earlier part of the run, which began at time 0
   double coarse = 1;    ///< r of phase_check.hpp
   int divide = 1;       ///< equal parts of every step (phase_check.hpp)
+  long compared = std::numeric_limits<long>::max();  ///< most steps that phases may compare (phase_check.hpp)
 };
 
 struct Outcome {
@@ -35,7 +36,7 @@ template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
   const S t0 = span.first > 0 ? S(0) : state.t, h = S(span.duration) / S(span.steps);
-  EventSteps<Sys> events(system, state, method.what(), h, span.coarse, span.divide);
+  EventSteps<Sys> events(system, state, method.what(), h, span.coarse, span.divide, span.compared);
   const auto ended = [&](long steps, bool stopped, const char* why = nullptr) {
     return Outcome{steps,          double(t0 + S(steps) * h), why != nullptr, stopped,
                    why ? why : "", events.located(),          events.zeno(),  events.phases()};
