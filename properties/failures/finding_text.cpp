@@ -57,7 +57,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
   return text + fmt::format("   replay   liecheck replay {}{}\n", shown, flags);
 } catch (const GivenUp&) {
-  return "";
+  return "   interrupted: this case is not measured again\n";
 }
 
 /// "all 15.7 digits lost in double, 3.9 of 6.9 digits lost in float", of the worst block in each scalar.

@@ -135,10 +135,10 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
   std::map<std::size_t, Finding> by_root;
   std::map<BlockKey, Finding*> of_block;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    // Without a result, or on a tree, the blocks of an operation fail together.
+    // Without a finite result, or on a tree, the blocks of an operation fail together.
     std::size_t first = root(i);
     const FailedBlock& f = *groups[first].blocks.front();
-    const bool together = f.worst->series->robot != "none" || f.worst->row->crashed + f.worst->row->refused > 0;
+    const bool together = f.worst->series->robot != "none" || f.worst->row->crashed + f.worst->row->refused + f.worst->row->not_finite > 0;
     for (std::size_t k = 0; together && k < first; ++k)
       if (std::get<0>(keys[k]) == f.subject && std::get<1>(keys[k]) == f.operation) first = root(k);
     Finding& finding = by_root[first];

@@ -358,9 +358,9 @@ TEST_F(LimitsInStores, TheProgramJudgesReplaysAndReportsByTheSameFile) {
   EXPECT_EQ(code(campaign), 0);
   EXPECT_EQ(code(campaign + flag + " --store s"), 1);
   const std::string out = read_whole(folder / "out");
-  const auto at = out.find("  replay    ");
+  const auto at = out.find("  replay   ");
   ASSERT_NE(at, std::string::npos) << out;
-  const std::string replay = out.substr(at + 12, out.find('\n', at) - at - 12);
+  const std::string replay = out.substr(at + 11, out.find('\n', at) - at - 11);
   EXPECT_NE(replay.find(" --limits 'it'\\''s own.limits'"), std::string::npos) << replay;
   EXPECT_EQ(code(replay.substr(std::string("liecheck ").size())), 1);
   EXPECT_EQ(code(replay.substr(std::string("liecheck ").size(), replay.find(" --limits") - 9)), 0);

@@ -74,7 +74,7 @@ const Replacement changes[] = {
 bool fails(const std::string& command) {
   for (const char* part :
        {"campaign --subject textbook", "--subject textbook --limits", "replay raw.exp_oracle.textbook",
-        "hunt --subject textbook", "campaign --adapter 'python3 fixtures/adapters/rotations.py'",
+        "hunt --subject textbook", "test 'python3 fixtures/adapters/rotations.py'",
         "campaign --cases 1000 --adapter 'python3 fixtures/adapters/rotations.py'",
         "campaign --subject history:gtsam_1233 "})
     if (command.find(part) != command.npos) return true;

@@ -335,6 +335,12 @@ TEST(Terminal, AFailureOfAnAdapterIsAProgramInItsOwnTerms) {
               "has no text as source of exp3_quaternion");
 }
 
+TEST(Terminal, AnAdapterMayHaveTheNameOfALibraryThatIsAbsentFromTheBuild) {
+  const auto [code, text] = run(of_adapter + adapter("pass", R"({"name": "smooth"})"));
+  EXPECT_EQ(text.find("is absent from this build"), std::string::npos) << text;
+  EXPECT_SAYS(text, "; smooth ");
+}
+
 TEST(Terminal, ASharedLibraryMayHaveItsOwnProgram) {
   const std::string text = run("campaign --property exp_oracle --scalar double -j 1 --no-hard-cases "
                                "--profile ours --adapter " LIECHECK_C_ADAPTER)
