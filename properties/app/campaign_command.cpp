@@ -16,10 +16,10 @@
 #include <map>
 #include <record/badge.hpp>
 #include <record/record.hpp>
+#include <reports/report.hpp>
 #include <rules/rules.hpp>
 #include <set>
 #include <stdexcept>
-#include <reports/report.hpp>
 #include <support/files.hpp>
 #include <support/folder.hpp>
 #include <support/say.hpp>
@@ -54,8 +54,8 @@ void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint6
                      : "  not required in so few cases");
 }
 
-/// For each property, prints the coverage of its least covered series or, if verbose, of every series.
-void print_coverage(const CampaignResult& r, bool verbose) {
+/// Prints the coverage of every series, and then for each property that of its least covered one.
+void print_coverage(const CampaignResult& r) {
   struct Least {
     bool missing;
     std::size_t unseen;
@@ -73,7 +73,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     Least& l = it->second;
     if (first || std::tuple(missing, unseen) > std::tuple(l.missing, l.unseen))
       l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, tally)};
-    if (verbose) print_coverage(*series, all, cases);
+    print_coverage(*series, all, cases);
   }
   for (const auto& [property, l] : least) say("{:<23} {:<19} {}\n", property, l.series, l.line);
 }
@@ -196,8 +196,7 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
   const int code = code_of(r, hard_cases);
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
   if (any_failed(hard_cases))
-    text += r.failed ? ": laws failed; hard cases failed"
-                     : ": hard cases failed";
+    text += r.failed ? ": laws failed; hard cases failed" : ": hard cases failed";
   else if (any_open(hard_cases))
     text += ": hard cases have no verdict";
   return text;
@@ -229,13 +228,14 @@ void print_verdict(const CampaignResult& r, const std::vector<HardRow>& hard_cas
 /// Prints the table of the laws, each row that fails, the coverage and the digests.
 void print_details(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
   print_hard_case_summary(hard_cases, f.all);
-  say("\n{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
+  say("\n{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
+      "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
   say("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   print_failures(r, f.all);
   print_cliffs(r, {});
   print_not_measured(r, f.all);
-  print_coverage(r, f.verbose);
+  print_coverage(r);
   say("\n{}inputs  {}\nresults {}\n", fmt::join(limits_of(r), ""), r.inputs_digest, r.results_digest);
 }
 
@@ -249,9 +249,9 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   std::size_t cells = 0, failing = 0;
   for (const HardRow& row : hard_cases)
     for (const HardCell& cell : row.cells) ++cells, failing += cell.failed || cell.open;
-  say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases, laws.size(), laws.size() == 1 ? "" : "s",
-      fmt::join(scalars, " and "), r.elapsed, r.options.seed, printable(r.robot.name), r.robot.fixed ? ", fixed" : "",
-      r.robot.hash, fmt::join(whose, ", "));
+  say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
+      laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
+      printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
   if (cells) say("; {} hard cases, of which {} fail or have no verdict", cells, failing);
   say("\n");
 }
@@ -260,21 +260,19 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
   std::vector<FailedBlock> failed = failed_blocks(r);
   const std::vector<Finding> findings = findings_of(r, failed, hard_cases);
-  std::set<std::string> subjects, operations;
-  for (const auto& [series, tally] : r.series) {
+  std::set<std::string> subjects;
+  for (const auto& [series, tally] : r.series)
     subjects.insert(series->subject + (series->subject_version.empty() ? "" : " " + series->subject_version));
-    for (const Output& output : series->outputs) operations.insert(std::string(output.operation));
-  }
   const std::size_t many = findings.size();
   print_verdict(r, hard_cases,
-                fmt::format("{}{}", subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
-                                                        : fmt::format("; {}", fmt::join(subjects, ", ")),
+                fmt::format("{}{}",
+                            subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
+                                                : fmt::format("; {}", fmt::join(subjects, ", ")),
                             many == 0   ? ""
                             : many == 1 ? ": 1 finding"
                                         : fmt::format(": {} findings, the worst first", many)));
   print_findings(findings, r, f.all);
-  print_cliffs(r, failed);
-  if (!f.verbose) print_not_measured(r, f.all);
+  if (!f.verbose) print_cliffs(r, failed), print_not_measured(r, f.all);
   for (const std::string& name : without_trees(f))
     fmt::print(
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
@@ -332,7 +330,6 @@ int run(const CampaignFlags& f) {
   return code;
 }
 
-
 /// The flags that `campaign` and `test` share.
 void add_flags(CommandWith<CampaignFlags>& a, const std::string& typed_line) {
   a->store.typed_line = typed_line;
@@ -366,10 +363,11 @@ constexpr const char* exit_codes =
 }  // namespace
 
 Command test_command(CLI::App& program, const std::string& typed_line) {
-  CommandWith<CampaignFlags> a(program, "test",
-                               std::string("test a library: conventions, laws on random inputs, hard cases; one block of "
-                                           "lines for each finding. ") +
-                                   exit_codes);
+  CommandWith<CampaignFlags> a(
+      program, "test",
+      std::string("test a library: conventions, laws on random inputs, hard cases; one block of "
+                  "lines for each finding. ") +
+          exit_codes);
   a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/adapters.md").required();
   a.text("--page", a->page, "DIR", "write the record and a page of it into this folder");
   a->selection.add_laws(a);

@@ -192,7 +192,7 @@ void write_record(const std::string& file, const nlohmann::json& record);
 template <class... Results>
 void write_record_of(const std::string& file, const Results&... results);
 
-/// Prints the first section of every campaign: counts for each subject and scalar, and the failures, each in full or a
+/// Prints the hard cases: counts for each subject and scalar, and the failures, each in full or a
 /// line for each block and the worst in full.
 void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 

@@ -54,14 +54,24 @@ std::string filled(std::string text, std::vector<Argument> arguments, const std:
 
 }  // namespace
 
+std::string program_of_template(const Series& series, const Output& output, const NotedCase& noted) try {
+  const adapters::Description* const d = adapters::description_of(series.adapter);
+  const NotedCall* const call = worst_call(output, noted);
+  if (!d || !call) return "";
+  const auto source = d->source.find(std::string(call->operation->name));
+  if (source == d->source.end()) return "";
+  return fmt::format("  as {}'s own program:\n\n{}\n", series.subject,
+                     filled(source->second, arguments_in(*call, *d, series.format()), series.scalar));
+} catch (const std::logic_error&) {  // an argument whose size the model of a robot determines
+  return "";
+}
+
 std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted) try {
+  if (std::string own = program_of_template(series, output, noted); !own.empty()) return own;
   const adapters::Description* const d = adapters::description_of(series.adapter);
   const NotedCall* const call = worst_call(output, noted);
   if (!d || !call) return "";
   const auto arguments = arguments_in(*call, *d, series.format());
-  if (const auto source = d->source.find(std::string(call->operation->name)); source != d->source.end())
-    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject,
-                       filled(source->second, arguments, series.scalar));
   std::string text =
       fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);
   for (const Argument& a : arguments)

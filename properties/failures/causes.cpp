@@ -7,9 +7,9 @@
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <failures/calls.hpp>
+#include <failures/result.hpp>
 #include <functional>
 #include <limits>
-#include <span>
 
 namespace liecheck::properties {
 
@@ -54,7 +54,8 @@ Numbers numbers(const Eigen::Matrix<double, N, N, Eigen::RowMajor>& m) {
   return Numbers(m.data(), m.data() + m.size());
 }
 Numbers cut(const Numbers& x, std::size_t from, std::size_t size) {
-  return Numbers(x.begin() + static_cast<std::ptrdiff_t>(from), x.begin() + static_cast<std::ptrdiff_t>(from + size));
+  return Numbers(x.begin() + static_cast<std::ptrdiff_t>(from),
+                 x.begin() + static_cast<std::ptrdiff_t>(from + size));
 }
 Numbers minus(Numbers x) {
   for (double& number : x) number = -number;
@@ -130,154 +131,127 @@ Numbers moved(const Numbers& x, const Quat& Q, const Vec3& p) {
 }
 
 const Relation relations[] = {
-    {"exp3_matrix", "exp3_quaternion", [](const Case& c) -> Numbers {
-      return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix()));
-    }},
-    {"log3_matrix", "log3_quaternion", [](const Case& c) -> Numbers {
-      return c.part(numbers(quat_of(mat3(c.x))));
-    }},
-    {"exp6", "exp3_matrix", [](const Case& c) -> Numbers {
-      return exp_of(mat3(c.part(cut(c.x, 3, 3))), c.x);
-    }},
-    {"exp6", "exp3_quaternion", [](const Case& c) -> Numbers {
-      return exp_of(Mat3(quat(c.part(cut(c.x, 3, 3))).toRotationMatrix()), c.x);
-    }},
-    {"exp6", "left_jacobian3", [](const Case& c) -> Numbers {
-      return joined({cut(exact("exp6", c.x), 0, 9), numbers(Vec3(mat3(c.part(cut(c.x, 3, 3))) * vec3(c.x, 0)))});
-    }},
-    {"log6", "log3_matrix", [](const Case& c) -> Numbers {
-      return with_rho(c.part(cut(c.x, 0, 9)), vec3(c.x, 9));
-    }},
-    {"log6", "log3_quaternion", [](const Case& c) -> Numbers {
-      return with_rho(c.part(numbers(quat_of(mat3(c.x)))), vec3(c.x, 9));
-    }},
-    {"log6", "left_jacobian3_inverse", [](const Case& c) -> Numbers {
-      return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(c.x, 9)), unknown});
-    }},
-    {"log6", "log6", [](const Case& c) -> Numbers {
-      return joined({cut(with_rho(cut(c.got, 3, 3), vec3(c.x, 9)), 0, 3), unknown});
-    }},
-    {"integrate", "exp6", [](const Case& c) -> Numbers {
-      const Numbers X = c.part(cut(c.x, 7, 6));
-      return moved(c.x, quat_of(mat3(X)), vec3(X, 9));
-    }},
-    {"integrate", "exp3_quaternion", [](const Case& c) -> Numbers {
-      return moved(c.x, quat(c.part(cut(c.x, 10, 3))), vec3(exact("exp6", cut(c.x, 7, 6)), 9));
-    }},
-    {"integrate", "left_jacobian3", [](const Case& c) -> Numbers {
-      return moved(c.x, quat_of(mat3(exact("exp6", cut(c.x, 7, 6)))), mat3(c.part(cut(c.x, 10, 3))) * vec3(c.x, 7));
-    }},
-    {"difference", "log6", [](const Case& c) -> Numbers {
-      return c.part(relative_pose(c.x));
-    }},
-    {"difference", "log3_quaternion", [](const Case& c) -> Numbers {
-      return with_rho(c.part(relative_quaternion(c.x, 3, 10)), vec3(relative_pose(c.x), 9));
-    }},
-    {"difference", "log3_matrix", [](const Case& c) -> Numbers {
-      return with_rho(c.part(cut(relative_pose(c.x), 0, 9)), vec3(relative_pose(c.x), 9));
-    }},
-    {"difference", "left_jacobian3_inverse", [](const Case& c) -> Numbers {
-      return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(relative_pose(c.x), 9)), unknown});
-    }},
-    {"difference", "difference", [](const Case& c) -> Numbers {
-      return joined({cut(with_rho(cut(c.got, 3, 3), vec3(relative_pose(c.x), 9)), 0, 3), unknown});
-    }},
-    {"d_integrate_arg0", "exp6", [](const Case& c) -> Numbers {
-      const Numbers X = c.part(minus(cut(c.x, 7, 6)));
-      return numbers<6>(adjoint(mat3(X), vec3(X, 9)));
-    }},
-    {"d_integrate_arg1", "right_jacobian6", [](const Case& c) -> Numbers {
-      return c.part(cut(c.x, 7, 6));
-    }},
-    {"d_difference_arg0", "left_jacobian6_inverse", [](const Case& c) -> Numbers {
-      return minus(c.part(exact("difference", c.x)));
-    }},
-    {"d_difference_arg0", "right_jacobian6_inverse", [](const Case& c) -> Numbers {
-      return minus(c.part(minus(exact("difference", c.x))));
-    }},
-    {"d_difference_arg0", "difference", [](const Case& c) -> Numbers {
-      return minus(exact("left_jacobian6_inverse", c.part(c.x)));
-    }},
-    {"d_difference_arg1", "right_jacobian6_inverse", [](const Case& c) -> Numbers {
-      return c.part(exact("difference", c.x));
-    }},
-    {"d_difference_arg1", "difference", [](const Case& c) -> Numbers {
-      return exact("right_jacobian6_inverse", c.part(c.x));
-    }},
-    {"right_jacobian3", "left_jacobian3", [](const Case& c) -> Numbers {
-      return c.part(minus(c.x));
-    }},
-    {"right_jacobian3_inverse", "left_jacobian3_inverse", [](const Case& c) -> Numbers {
-      return c.part(minus(c.x));
-    }},
-    {"right_jacobian6", "left_jacobian6", [](const Case& c) -> Numbers {
-      return c.part(minus(c.x));
-    }},
-    {"right_jacobian6_inverse", "left_jacobian6_inverse", [](const Case& c) -> Numbers {
-      return c.part(minus(c.x));
-    }},
-    {"left_jacobian3_inverse", "left_jacobian3", [](const Case& c) -> Numbers {
-      return numbers<3>(Mat3(mat3(c.part(c.x)).inverse()));
-    }},
-    {"left_jacobian6", "left_jacobian3", [](const Case& c) -> Numbers {
-      return jacobian6(mat3(c.part(cut(c.x, 3, 3))), coupling_of(exact("left_jacobian6", c.x)));
-    }},
-    {"left_jacobian6_inverse", "left_jacobian3_inverse", [](const Case& c) -> Numbers {
-      const Mat3 J = mat3(c.part(cut(c.x, 3, 3)));
-      return jacobian6(J, Mat3(-J * coupling_of(exact("left_jacobian6", c.x)) * J));
-    }},
-    {"left_jacobian6_inverse", "left_jacobian6", [](const Case& c) -> Numbers {
-      const Mat3 J = mat3(exact("left_jacobian3_inverse", cut(c.x, 3, 3)));
-      return jacobian6(J, Mat3(-J * coupling_of(c.part(c.x)) * J));
-    }},
-    {"relative_angle", "log3_quaternion", [](const Case& c) -> Numbers {
-      return {vec3(c.part(relative_quaternion(c.x, 0, 4)), 0).norm()};
-    }},
-    {"slerp", "log3_quaternion", [](const Case& c) -> Numbers {
-      Numbers phi = c.part(relative_quaternion(c.x, 0, 4));
-      for (double& number : phi) number *= c.x[8];
-      return numbers(quat(c.x) * quat(exact("exp3_quaternion", phi)));
-    }},
+    {"exp3_matrix", "exp3_quaternion",
+     [](const Case& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+    {"log3_matrix", "log3_quaternion",
+     [](const Case& c) -> Numbers { return c.part(numbers(quat_of(mat3(c.x)))); }},
+    {"exp6", "exp3_matrix",
+     [](const Case& c) -> Numbers { return exp_of(mat3(c.part(cut(c.x, 3, 3))), c.x); }},
+    {"exp6", "exp3_quaternion",
+     [](const Case& c) -> Numbers {
+       return exp_of(Mat3(quat(c.part(cut(c.x, 3, 3))).toRotationMatrix()), c.x);
+     }},
+    {"exp6", "left_jacobian3",
+     [](const Case& c) -> Numbers {
+       return joined(
+           {cut(exact("exp6", c.x), 0, 9), numbers(Vec3(mat3(c.part(cut(c.x, 3, 3))) * vec3(c.x, 0)))});
+     }},
+    {"log6", "log3_matrix",
+     [](const Case& c) -> Numbers { return with_rho(c.part(cut(c.x, 0, 9)), vec3(c.x, 9)); }},
+    {"log6", "log3_quaternion",
+     [](const Case& c) -> Numbers { return with_rho(c.part(numbers(quat_of(mat3(c.x)))), vec3(c.x, 9)); }},
+    {"log6", "left_jacobian3_inverse",
+     [](const Case& c) -> Numbers {
+       return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(c.x, 9)), unknown});
+     }},
+    {"log6", "log6",
+     [](const Case& c) -> Numbers {
+       return joined({cut(with_rho(cut(c.got, 3, 3), vec3(c.x, 9)), 0, 3), unknown});
+     }},
+    {"integrate", "exp6",
+     [](const Case& c) -> Numbers {
+       const Numbers X = c.part(cut(c.x, 7, 6));
+       return moved(c.x, quat_of(mat3(X)), vec3(X, 9));
+     }},
+    {"integrate", "exp3_quaternion",
+     [](const Case& c) -> Numbers {
+       return moved(c.x, quat(c.part(cut(c.x, 10, 3))), vec3(exact("exp6", cut(c.x, 7, 6)), 9));
+     }},
+    {"integrate", "left_jacobian3",
+     [](const Case& c) -> Numbers {
+       return moved(c.x, quat_of(mat3(exact("exp6", cut(c.x, 7, 6)))),
+                    mat3(c.part(cut(c.x, 10, 3))) * vec3(c.x, 7));
+     }},
+    {"difference", "log6", [](const Case& c) -> Numbers { return c.part(relative_pose(c.x)); }},
+    {"difference", "log3_quaternion",
+     [](const Case& c) -> Numbers {
+       return with_rho(c.part(relative_quaternion(c.x, 3, 10)), vec3(relative_pose(c.x), 9));
+     }},
+    {"difference", "log3_matrix",
+     [](const Case& c) -> Numbers {
+       return with_rho(c.part(cut(relative_pose(c.x), 0, 9)), vec3(relative_pose(c.x), 9));
+     }},
+    {"difference", "left_jacobian3_inverse",
+     [](const Case& c) -> Numbers {
+       return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(relative_pose(c.x), 9)), unknown});
+     }},
+    {"difference", "difference",
+     [](const Case& c) -> Numbers {
+       return joined({cut(with_rho(cut(c.got, 3, 3), vec3(relative_pose(c.x), 9)), 0, 3), unknown});
+     }},
+    {"d_integrate_arg0", "exp6",
+     [](const Case& c) -> Numbers {
+       const Numbers X = c.part(minus(cut(c.x, 7, 6)));
+       return numbers<6>(adjoint(mat3(X), vec3(X, 9)));
+     }},
+    {"d_integrate_arg1", "right_jacobian6", [](const Case& c) -> Numbers { return c.part(cut(c.x, 7, 6)); }},
+    {"d_difference_arg0", "left_jacobian6_inverse",
+     [](const Case& c) -> Numbers { return minus(c.part(exact("difference", c.x))); }},
+    {"d_difference_arg0", "right_jacobian6_inverse",
+     [](const Case& c) -> Numbers { return minus(c.part(minus(exact("difference", c.x)))); }},
+    {"d_difference_arg0", "difference",
+     [](const Case& c) -> Numbers { return minus(exact("left_jacobian6_inverse", c.part(c.x))); }},
+    {"d_difference_arg1", "right_jacobian6_inverse",
+     [](const Case& c) -> Numbers { return c.part(exact("difference", c.x)); }},
+    {"d_difference_arg1", "difference",
+     [](const Case& c) -> Numbers { return exact("right_jacobian6_inverse", c.part(c.x)); }},
+    {"right_jacobian3", "left_jacobian3", [](const Case& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian3_inverse", "left_jacobian3_inverse",
+     [](const Case& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian6", "left_jacobian6", [](const Case& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian6_inverse", "left_jacobian6_inverse",
+     [](const Case& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"left_jacobian3_inverse", "left_jacobian3",
+     [](const Case& c) -> Numbers { return numbers<3>(Mat3(mat3(c.part(c.x)).inverse())); }},
+    {"left_jacobian6", "left_jacobian3",
+     [](const Case& c) -> Numbers {
+       return jacobian6(mat3(c.part(cut(c.x, 3, 3))), coupling_of(exact("left_jacobian6", c.x)));
+     }},
+    {"left_jacobian6_inverse", "left_jacobian3_inverse",
+     [](const Case& c) -> Numbers {
+       const Mat3 J = mat3(c.part(cut(c.x, 3, 3)));
+       return jacobian6(J, Mat3(-J * coupling_of(exact("left_jacobian6", c.x)) * J));
+     }},
+    {"left_jacobian6_inverse", "left_jacobian6",
+     [](const Case& c) -> Numbers {
+       const Mat3 J = mat3(exact("left_jacobian3_inverse", cut(c.x, 3, 3)));
+       return jacobian6(J, Mat3(-J * coupling_of(c.part(c.x)) * J));
+     }},
+    {"relative_angle", "log3_quaternion",
+     [](const Case& c) -> Numbers { return {vec3(c.part(relative_quaternion(c.x, 0, 4)), 0).norm()}; }},
+    {"slerp", "log3_quaternion",
+     [](const Case& c) -> Numbers {
+       Numbers phi = c.part(relative_quaternion(c.x, 0, 4));
+       for (double& number : phi) number *= c.x[8];
+       return numbers(quat(c.x) * quat(exact("exp3_quaternion", phi)));
+     }},
     {"rotate_point_any_norm", "rotate_point", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"log3_any_norm", "log3_quaternion", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"integrate_any_norm", "integrate", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"difference_any_norm", "difference", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"d_difference_any_norm", "d_difference_arg1", [](const Case& c) -> Numbers { return c.part(c.x); }},
-    {"euler_to_matrix", "euler_to_quaternion", [](const Case& c) -> Numbers {
-      return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix()));
-    }},
-    {"euler_from_quaternion", "euler_from_matrix", [](const Case& c) -> Numbers {
-      return c.part(joined({{c.x[0]}, numbers<3>(Mat3(quat(c.x, 1).toRotationMatrix()))}));
-    }},
+    {"euler_to_matrix", "euler_to_quaternion",
+     [](const Case& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+    {"euler_from_quaternion", "euler_from_matrix",
+     [](const Case& c) -> Numbers {
+       return c.part(joined({{c.x[0]}, numbers<3>(Mat3(quat(c.x, 1).toRotationMatrix()))}));
+     }},
 };
 
-double distance(const Numbers& a, const Numbers& b, const std::vector<std::size_t>& of, double sign = 1) {
-  double square = 0;
-  for (const std::size_t i : of) square += (a[i] - sign * b[i]) * (a[i] - sign * b[i]);
-  return std::sqrt(square);
-}
-bool finite(const Numbers& x, const std::vector<std::size_t>& of) {
-  return std::ranges::all_of(of, [&](std::size_t i) { return std::isfinite(x[i]); });
-}
-
-/// Whether `predicted` is as wrong as `got`, in the same direction.
-bool same_error(const Numbers& got, const Numbers& right, const Numbers& predicted, const std::vector<std::size_t>& of) {
-  if (!finite(got, of)) return !finite(predicted, of);
-  if (!finite(predicted, of)) return false;
-  constexpr double third = 0.3;
-  const double error = std::min(distance(got, right, of), distance(got, right, of, -1));
-  return std::min(distance(got, predicted, of), distance(got, predicted, of, -1)) < third * error;
-}
-
-}  // namespace
-
+/// The numbers of a call's result that a block judges. The coupling block of a 6 x 6 Jacobian is its upper right quarter,
+/// and its other block the rest.
 std::vector<std::size_t> numbers_of_block(const Output& output, const Operation& operation) {
   const Layout& layout = *operation.results[0];
-  const std::string_view unit = output.definition->unit;
-  const auto with_unit = [&](std::string_view u) {
-    return std::ranges::any_of(layout.parts, [&](const Part& p) { return p.unit == u; });
-  };
-  const std::string_view judged = with_unit(unit) ? unit : with_unit("1") ? "1" : std::string_view();
   std::vector<std::size_t> all;
   std::size_t from = 0;
   for (const auto& part : layout.parts) {
@@ -285,35 +259,68 @@ std::vector<std::size_t> numbers_of_block(const Output& output, const Operation&
     for (std::size_t i = 0; i < size; ++i) {
       const bool in_coupling = i / 6 < 3 && i % 6 >= 3;
       if (size == 36 && (output.block == "coupling") != in_coupling) continue;
-      if (operation.name != output.operation || judged.empty() || part.unit == judged) all.push_back(from + i);
+      if (operation.name != output.operation || is_judged(output, layout, part)) all.push_back(from + i);
     }
     from += size;
   }
   return all;
 }
 
-std::vector<std::string_view> explained_by(const Series& series, const Output& output, const NotedCall& call) {
+/// Compares some numbers of results.
+struct Judging {
+  std::vector<std::size_t> of;
+  bool either_sign = false;  ///< Q and -Q are one rotation, and at pi, phi and -phi are, too
+
+  double distance(const Numbers& a, const Numbers& b) const {
+    double same = 0, opposite = 0;
+    for (const std::size_t i : of)
+      same += (a[i] - b[i]) * (a[i] - b[i]), opposite += (a[i] + b[i]) * (a[i] + b[i]);
+    return std::sqrt(either_sign ? std::min(same, opposite) : same);
+  }
+  bool finite(const Numbers& x) const {
+    return std::ranges::all_of(of, [&](std::size_t i) { return std::isfinite(x[i]); });
+  }
+  /// Whether `predicted` is as wrong as `got`, in the same direction: nearer to it than a third of its error. What two
+  /// calculations with the same wrong part differ by is their own rounding, far below an error that fails.
+  bool same_error(const Numbers& got, const Numbers& right, const Numbers& predicted) const {
+    if (!finite(got) || !finite(predicted)) return !finite(got) && !finite(predicted);
+    return distance(got, predicted) < 0.3 * distance(got, right);
+  }
+};
+
+Judging judging_of(const Output& output, const Operation& operation, const Numbers& right) {
+  Judging all{numbers_of_block(output, operation)};
+  double square = 0;
+  for (const std::size_t i : all.of) square += right[i] * right[i];
+  const double near_pi = 3.1415;
+  all.either_sign = (all.of.size() == 4 && operation.name != "normalize") ||
+                    (output.definition->unit == "rad" && all.of.size() == 3 && square > near_pi * near_pi);
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string_view> explained_by(const Series& series, const Output& output,
+                                           const NotedCall& call) {
   std::vector<std::string_view> parts;
   const auto exact_numbers = expected_of(call);
   if (exact_numbers.empty() || exact_numbers.size() != call.result.size()) return parts;
   Numbers right;
   for (const oracles::Real& x : exact_numbers) right.push_back(static_cast<double>(x));
-  const auto of = numbers_of_block(output, *call.operation);
-  if (of.empty()) return parts;
+  const Judging judging = judging_of(output, *call.operation, right);
+  if (judging.of.empty()) return parts;
   for (const Relation& r : relations) {
     if (call.operation->name != r.of) continue;
     const Operation& part = conventions::operation_named(r.part);
-    bool refused = false;
     const auto own = [&](Numbers x) {
       for (double& number : x) number = series.format().rounded(number);
       Numbers result = result_of(series, part, x);
-      refused |= result.empty();
       if (result.empty()) throw std::domain_error("refused");
       return result;
     };
     try {
       const Numbers predicted = r.result({call.arguments, call.result, own});
-      if (!refused && predicted.size() == right.size() && same_error(call.result, right, predicted, of))
+      if (predicted.size() == right.size() && judging.same_error(call.result, right, predicted))
         parts.push_back(part.name);
     } catch (const std::exception&) {  // refused, or outside what the oracle knows
     }

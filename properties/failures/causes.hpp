@@ -7,9 +7,6 @@ namespace liecheck::properties {
 
 struct NotedCall;  // calls.hpp
 
-/// The numbers of a call's result that a block judges: those with its unit, or one quarter of a 6 x 6 Jacobian.
-std::vector<std::size_t> numbers_of_block(const Output& output, const Operation& operation);
-
 /// The operations that explain a wrong result: computed by the definition from the subject's own result of that operation,
 /// and from exact ones of all others, it is as wrong, in the same direction, to a third of its error. Blocks that follow
 /// from another block of the same result name their own operation. Empty if there are none.

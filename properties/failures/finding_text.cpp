@@ -8,6 +8,7 @@
 #include <failures/result.hpp>
 #include <search/plain.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -49,11 +50,11 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   if (const std::string number = f.block == "sign" ? "" : worst_number_text(series, of, all); !number.empty())
     text += fmt::format("            {}\n", number);
   else if (call && !call->thrown.empty())
-    text += fmt::format("            throws: {}\n", call->thrown);
-  if (!series.adapter.empty())
-    if (const std::string own = adapter_program(series, of, all); own.starts_with("  as " + series.subject)) text += own;
+    text += fmt::format("            throws: {}\n", printable(call->thrown));
+  text += program_of_template(series, of, all);
   const std::string flags =
-      (series.robot != "none" && !campaign.robot.path.empty() ? robot_flags(campaign.robot) : "") + subject_flags(series);
+      (series.robot != "none" && !campaign.robot.path.empty() ? robot_flags(campaign.robot) : "") +
+      subject_flags(series);
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
   return text + fmt::format("   replay   liecheck replay {}{}\n", shown, flags);
 } catch (const GivenUp&) {
@@ -78,9 +79,10 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (finding.own.empty()) {
     const HardCell& cell = *finding.hard_cells.front();
     const HardCase& entry = *finding.hard_rows.front()->entry;
-    return fmt::format("{}  {} {}: hard case {} ({})\n   input    {}\n   reason   {}\n   replay   liecheck replay {}{}\n", number,
-                       finding.operation, cell.block, entry.name, name_of(cell.verdict), entry.input, entry.reason,
-                       cell.id.text(), cell.flags);
+    return fmt::format(
+        "{}  {} {}: hard case {} ({})\n   input    {}\n   reason   {}\n   replay   liecheck replay {}{}\n",
+        number, finding.operation, cell.block, entry.name, name_of(cell.verdict), entry.input, entry.reason,
+        cell.id.text(), cell.flags);
   }
   const FailedBlock& first = *finding.own.front();
   std::vector<std::string> blocks, others;
@@ -88,11 +90,15 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     if (f->operation == finding.operation) add_once(blocks, f->block);
   for (const FailedBlock* f : finding.others)
     if (f->operation != finding.operation) add_once(others, f->operation);
-  std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "), how_bad(finding.own));
-  text += fmt::format("   where    {}: {} of {} cases in {}{}\n", where_of(first), first.failed, first.cases, first.scalar,
-                      finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
-  if (const std::string guess = guess_of(first); !guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
-  if (!others.empty()) text += fmt::format("   so       {} {} wrong, too\n", fmt::join(others, ", "), others.size() == 1 ? "is" : "are");
+  std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "),
+                                 how_bad(finding.own));
+  text += fmt::format("   where    {}: {} of {} cases in {}{}\n", where_of(first), first.failed, first.cases,
+                      first.scalar, finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
+  if (const std::string guess = guess_of(first); !guess.empty())
+    text += fmt::format("   perhaps  {}\n", guess);
+  if (!others.empty())
+    text += fmt::format("   so       {} {} wrong, too\n", fmt::join(others, ", "),
+                        others.size() == 1 ? "is" : "are");
   text += example_of(first, campaign);
   if (!finding.hard_rows.empty())
     text += fmt::format("   hard     {} of its hard cases fail, too: {}{}\n", finding.hard_rows.size(),

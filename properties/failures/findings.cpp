@@ -5,6 +5,7 @@
 #include <failures/calls.hpp>
 #include <failures/causes.hpp>
 #include <failures/result.hpp>
+#include <invariants/tree_laws.hpp>
 #include <map>
 #include <set>
 #include <support/stop.hpp>
@@ -17,7 +18,7 @@ namespace {
 /// Blocks of one operation in every scalar, with what they come from.
 struct Group {
   std::vector<FailedBlock*> blocks;  ///< by scalar
-  std::optional<std::size_t> cause;        ///< another group
+  std::optional<std::size_t> cause;  ///< another group
 };
 using BlockKey = std::tuple<std::string, std::string, std::string>;  ///< subject, operation, block
 
@@ -47,7 +48,7 @@ std::vector<const BandOf*> examples_of(const FailedBlock& f) {
 
 /// The operations whose own errors explain the worst case of a band; none if the band has no such case.
 std::optional<std::vector<std::string_view>> causes_in(const BandOf& b, std::uint64_t seed,
-                                                       const std::set<std::string_view>& wrong) {
+                                                       const std::set<std::string_view>& wrong) try {
   const Output& output = b.series->outputs.at(b.output);
   const NotedCase all = noted(*b.series, b.series->id(seed, b.row->worst_index), b.output);
   const NotedCall* call = worst_call(output, all);
@@ -59,6 +60,8 @@ std::optional<std::vector<std::string_view>> causes_in(const BandOf& b, std::uin
     parts = explained_by(*b.series, output, *call);
   std::erase_if(parts, [&](std::string_view part) { return !wrong.contains(part); });
   return parts;
+} catch (const GivenUp&) {  // a signal ended a call
+  return std::nullopt;
 }
 
 /// The operations whose own errors explain those of a block, with the number of its examples that each explains, if
@@ -82,10 +85,34 @@ bool follows_within(const std::string& block) {
   return block == "linear" || block == "translation" || block == "coupling";
 }
 
+/// Adds each hard case that fails to the finding of its block or operation; returns the findings of the others.
+std::map<BlockKey, Finding> add_hard_cases(const std::vector<HardRow>& hard_cases,
+                                           std::map<std::size_t, Finding>& by_root) {
+  std::map<BlockKey, Finding*> of_block;
+  std::map<BlockKey, Finding> hard_only;
+  for (auto& [first, finding] : by_root)
+    for (const auto* list : {&finding.own, &finding.others})
+      for (const FailedBlock* f : *list) of_block[{f->subject, f->operation, f->block}] = &finding;
+  for (const HardRow& row : hard_cases)
+    for (const HardCell& cell : row.cells) {
+      if (!cell.failed) continue;
+      const BlockKey key{cell.subject, cell.operation, cell.block};
+      auto at = of_block.find(key);
+      if (at == of_block.end())  // another block of the operation
+        at = std::ranges::find_if(of_block, [&](const auto& one) {
+          return std::get<0>(one.first) == cell.subject && std::get<1>(one.first) == cell.operation;
+        });
+      Finding& finding = at != of_block.end() ? *at->second : hard_only[key];
+      if (finding.subject.empty()) finding.subject = cell.subject, finding.operation = cell.operation;
+      finding.hard_rows.push_back(&row), finding.hard_cells.push_back(&cell);
+    }
+  return hard_only;
+}
+
 }  // namespace
 
 bool is_ordinary(const Band& b) {
-  constexpr double near = 0.99e-8;
+  constexpr double near = 0.99e-8;  // below the edge of a band at 1e-8, which is rounded
   if (b.axis == Axis::none) return b.region == Region::to_pi || (b.high > 0 && b.high < 10);
   return b.axis == Axis::theta ? b.low >= near || b.high == 0 : b.low >= near;
 }
@@ -106,7 +133,8 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const auto& [subject, operation, block] = keys[i];
     std::size_t most = 0;
-    for (const auto& [part, votes] : causes_of(*groups[i].blocks.front(), campaign.options.seed, wrong[subject]))
+    for (const auto& [part, votes] :
+         causes_of(*groups[i].blocks.front(), campaign.options.seed, wrong[subject]))
       for (std::size_t k = 0; k < groups.size(); ++k) {
         const auto& [other_subject, other_operation, other_block] = keys[k];
         if (k == i || other_subject != subject || other_operation != part) continue;
@@ -123,7 +151,8 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
       for (BandOf& b : f->bands) {
         if (!b.fails || stop_requested) continue;
         const auto parts = causes_in(b, campaign.options.seed, wrong[f->subject]);
-        b.fails = !parts || std::ranges::all_of(*parts, [&](std::string_view part) { return part == f->operation; });
+        b.fails = !parts ||
+                  std::ranges::all_of(*parts, [&](std::string_view part) { return part == f->operation; });
       }
       if (std::ranges::none_of(f->bands, &BandOf::fails)) f->bands = before;
       find_worst(*f);
@@ -133,36 +162,21 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
     return i;
   };
   std::map<std::size_t, Finding> by_root;
-  std::map<BlockKey, Finding*> of_block;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    // Without a finite result, or on a tree, the blocks of an operation fail together.
+    // With an outcome in place of an error, or on a tree, the blocks of an operation fail together.
     std::size_t first = root(i);
     const FailedBlock& f = *groups[first].blocks.front();
-    const bool together = f.worst->series->robot != "none" || f.worst->row->crashed + f.worst->row->refused + f.worst->row->not_finite > 0;
+    const bool together = is_tree_law(f.worst->series->property) || !worst_outcome(*f.worst->row).empty();
     for (std::size_t k = 0; together && k < first; ++k)
       if (std::get<0>(keys[k]) == f.subject && std::get<1>(keys[k]) == f.operation) first = root(k);
     Finding& finding = by_root[first];
     finding.subject = std::get<0>(keys[first]), finding.operation = std::get<1>(keys[first]);
     auto& list = first == i || std::get<1>(keys[i]) == finding.operation ? finding.own : finding.others;
     list.insert(list.end(), groups[i].blocks.begin(), groups[i].blocks.end());
-    for (const FailedBlock* block : groups[i].blocks) finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
+    for (const FailedBlock* block : groups[i].blocks)
+      finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
   }
-  for (auto& [first, finding] : by_root)
-    for (const auto* list : {&finding.own, &finding.others})
-      for (const FailedBlock* f : *list) of_block[{f->subject, f->operation, f->block}] = &finding;
-  std::map<BlockKey, Finding> hard_only;
-  for (const HardRow& row : hard_cases)
-    for (const HardCell& cell : row.cells) {
-      if (!cell.failed) continue;
-      const BlockKey key{cell.subject, cell.operation, cell.block};
-      const auto at = std::ranges::find_if(of_block, [&](const auto& one) {
-        return one.first == key || (std::get<0>(one.first) == cell.subject && std::get<1>(one.first) == cell.operation);
-      });
-      const auto same = of_block.find(key);
-      Finding& finding = same != of_block.end() ? *same->second : at != of_block.end() ? *at->second : hard_only[key];
-      if (finding.subject.empty()) finding.subject = cell.subject, finding.operation = cell.operation;
-      finding.hard_rows.push_back(&row), finding.hard_cells.push_back(&cell);
-    }
+  std::map<BlockKey, Finding> hard_only = add_hard_cases(hard_cases, by_root);
   std::vector<Finding> all;
   for (auto& [first, finding] : by_root) all.push_back(std::move(finding));
   for (auto& [key, finding] : hard_only) all.push_back(std::move(finding));

@@ -9,9 +9,10 @@ namespace liecheck::properties {
 /// Failures with one cause: blocks of an operation in each scalar, and of those that call it.
 struct Finding {
   std::string subject, operation;
-  std::vector<const FailedBlock*> own;    ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
-  std::vector<const FailedBlock*> others; ///< of operations that are wrong since this one is
-  std::vector<const HardRow*> hard_rows;  ///< hard cases that fail in one of these blocks
+  std::vector<const FailedBlock*>
+      own;  ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
+  std::vector<const FailedBlock*> others;   ///< of operations that are wrong since this one is
+  std::vector<const HardRow*> hard_rows;    ///< hard cases that fail in one of these blocks
   std::vector<const HardCell*> hard_cells;  ///< of `hard_rows`, one each
   double ordinary = 0;  ///< the share of ordinary inputs that fail, times the share of digits that they lose
 };

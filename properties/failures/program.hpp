@@ -19,8 +19,11 @@ std::string own_program(const Series& series, const NotedCall& call);
 /// That of the call whose result is farthest from the oracle's, or "".
 std::string own_program(const Series& series, const Output& output, const NotedCase& noted);
 
-/// For a subject of an adapter: its own program for the call whose result is farthest from the oracle's, if the adapter
-/// has one, or the numbers of this call.
+/// For a subject of an adapter: its own program for the call whose result is farthest from the oracle's; "" if it has no
+/// template of the operation.
+std::string program_of_template(const Series& series, const Output& output, const NotedCase& noted);
+
+/// The same, or the numbers of this call.
 std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted);
 
 }  // namespace liecheck::properties

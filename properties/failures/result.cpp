@@ -52,9 +52,9 @@ void add_part(std::vector<Pair>& to, std::span<const double> got, std::span<cons
   }
 }
 
-/// Whether a block concerns a part of a result: it has its unit. The coupling block of a 6 x 6 Jacobian is its upper
-/// right quarter.
-bool concerns(const Output& output, const Layout& layout, const Part& part) {
+}  // namespace
+
+bool is_judged(const Output& output, const Layout& layout, const Part& part) {
   const auto with_unit = [&](std::string_view unit) {
     return std::ranges::any_of(layout.parts, [&](const Part& p) { return p.unit == unit; });
   };
@@ -62,6 +62,8 @@ bool concerns(const Output& output, const Layout& layout, const Part& part) {
   if (with_unit(unit)) return part.unit == unit;
   return !with_unit("1") || part.unit == "1";
 }
+
+namespace {
 
 /// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
 std::vector<Real> on_the_side_of(const std::vector<double>& got, std::vector<Real> exact,
@@ -102,7 +104,7 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCase& noted, const N
     const auto right = std::span(exact).subspan(from, size);
     from += size;
     // A wrong branch may be seen in another part of the result: a rotation vector that is too long, whatever rho is.
-    if (call.operation == output.record && !noted.wrong_branch && !concerns(output, layout, part)) continue;
+    if (call.operation == output.record && !noted.wrong_branch && !is_judged(output, layout, part)) continue;
     Real square(0);
     for (const Real& x : right) square += x * x;
     const bool turned = part.unit == "rad" && size == 3 && part.name != "angles" && !noted.wrong_branch &&

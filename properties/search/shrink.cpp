@@ -11,50 +11,57 @@
 
 namespace liecheck::properties {
 
-Shrunk shrink(const Series& series, const CaseId& address, int output, int evaluations) {
-  const Property& law = series.tested_law();
-  const std::vector<double> x = series.numbers(address);
-  const auto failure_in = [&](const std::vector<Judged>& judged) -> std::optional<Judged> {
-    for (const Judged& j : judged)
-      if (j.failed && j.residual.output == output) return j;
-    return std::nullopt;
-  };
-  const std::optional<Judged> first = failure_in(series.measure_twice(x));
-  Shrunk s;
-  s.reproduced = first && first->residual.outcome != Outcome::not_repeatable;
-  std::vector<double> small = x;
-  if (s.reproduced) {
-    const Outcome outcome =
-        first->residual.outcome;  // a simpler input must fail in the same way, and as much
-    const auto score = [&](const Judged& j) {
-      return std::min(j.budget && j.budget->rule == Rule::excess ? j.excess : j.residual.error,
-                      1 / series.eps);
-    };
-    // Each crash or endless loop costs the start of a process, so their inputs are simplified for 5 s only.
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    const auto failure_of = [&](const std::vector<double>& y) -> std::optional<Judged> {
-      if (!law.valid(y)) return std::nullopt;
-      if (outcome == Outcome::crashed && std::chrono::steady_clock::now() > end) return std::nullopt;
-      const auto j = failure_in(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y));
-      if (!j || (!fails(series, *j) && fails(series, *first))) return std::nullopt;  // an expected failure
-      const bool same =
-          j->residual.outcome == outcome && (outcome != Outcome::measured || 10 * score(*j) >= score(*first));
-      return same ? j : std::nullopt;
-    };
-    small = shrink_input(
-        x, series.fields, series.format(), [&](const auto& y) { return failure_of(y).has_value(); },
-        evaluations, [&](const auto& y) { return law.simpler(y); });
-    s.judged = failure_of(small).value_or(*first);
-  } else if (first) {
-    s.judged = *first;
-  }
-  s.id = address;
+std::optional<Judged> failure_of(const std::vector<Judged>& judged, int output) {
+  for (const Judged& j : judged)
+    if (j.failed && j.residual.output == output) return j;
+  return std::nullopt;
+}
+
+double score_of(const Series& series, const Judged& j) {
+  return std::min(j.budget && j.budget->rule == Rule::excess ? j.excess : j.residual.error, 1 / series.eps);
+}
+
+Shrunk case_with(const Series& series, const CaseId& address, const std::vector<double>& x,
+                 const Judged& failure) {
+  Shrunk s{address, {}, failure};
   s.id.raw = true;
   s.id.input.clear();
-  for (const double v : small) {
+  for (const double v : x) {
     s.id.input.push_back(hexadecimal_float(v));
     s.decimal.push_back(decimal_float(v, series.format()));
   }
+  return s;
+}
+
+Shrunk shrink(const Series& series, const CaseId& address, int output, int evaluations) {
+  const Property& law = series.tested_law();
+  const std::vector<double> x = series.numbers(address);
+  const std::optional<Judged> first = failure_of(series.measure_twice(x), output);
+  const bool reproduced = first && first->residual.outcome != Outcome::not_repeatable;
+  std::vector<double> small = x;
+  Judged judged = first.value_or(Judged());
+  if (reproduced) {
+    const Outcome outcome =
+        first->residual.outcome;  // a simpler input must fail in the same way, and as much
+    // Each crash or endless loop costs the start of a process, so their inputs are simplified for 5 s only.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    const auto same_failure = [&](const std::vector<double>& y) -> std::optional<Judged> {
+      if (!law.valid(y)) return std::nullopt;
+      if (outcome == Outcome::crashed && std::chrono::steady_clock::now() > end) return std::nullopt;
+      const auto j = failure_of(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y), output);
+      if (!j || (!fails(series, *j) && fails(series, *first))) return std::nullopt;  // an expected failure
+      const bool same =
+          j->residual.outcome == outcome &&
+          (outcome != Outcome::measured || 10 * score_of(series, *j) >= score_of(series, *first));
+      return same ? j : std::nullopt;
+    };
+    small = shrink_input(
+        x, series.fields, series.format(), [&](const auto& y) { return same_failure(y).has_value(); },
+        evaluations, [&](const auto& y) { return law.simpler(y); });
+    judged = same_failure(small).value_or(*first);
+  }
+  Shrunk s = case_with(series, address, small, judged);
+  s.reproduced = reproduced;
   return s;
 }
 

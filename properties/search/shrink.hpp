@@ -8,6 +8,7 @@
 
 #include <campaign/series.hpp>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace liecheck::properties {
@@ -22,6 +23,14 @@ struct Shrunk {
 
 /// Shrinks a failing case of one output: at most `evaluations` measurements and two seconds.
 Shrunk shrink(const Series& series, const CaseId& id, int output, int evaluations);
+
+/// The failure of an output among the measurements of a case; none if it passes.
+std::optional<Judged> failure_of(const std::vector<Judged>& judged, int output);
+/// The error or excess of a failure [eps], at most that of a result without a right digit.
+double score_of(const Series& series, const Judged& failure);
+/// The case with the numbers x in the place of the input at an address.
+Shrunk case_with(const Series& series, const CaseId& address, const std::vector<double>& x,
+                 const Judged& failure);
 
 using Simpler = std::function<std::vector<std::vector<double>>(const std::vector<double>&)>;
 /// Shrinks an input of the scalar that fails.

@@ -248,10 +248,13 @@ std::vector<Counterexample> Store::counterexamples() try {
       if (!has_true_seal(sealed)) fail("corrupt: " + changed_row(table));
     }
   }
-  // Before the first row, all are sorted.
+  // Before the first row, all are sorted. The handler leaves with `rows`, also if a signal ends the sort.
+  struct Looking {
+    sqlite3* database;
+    ~Looking() { sqlite3_progress_handler(database, 0, nullptr, nullptr); }
+  } const looking{database_.getHandle()};
   sqlite3_progress_handler(
-      database_.getHandle(), 100000, [](void* of) -> int { return static_cast<Counted*>(of)->given_up(); },
-      &rows);
+      looking.database, 100000, [](void* of) -> int { return static_cast<Counted*>(of)->given_up(); }, &rows);
   SQLite::Statement row(
       database_,
       "SELECT s.property, s.subject, s.scalar, s.robot, c.operation, c.block, f.input FROM failures f "
@@ -261,7 +264,6 @@ std::vector<Counterexample> Store::counterexamples() try {
   for (; row.executeStep(); rows.next())
     all.push_back(
         {text(row, 0), text(row, 1), text(row, 2), text(row, 3), text(row, 4), text(row, 5), text(row, 6)});
-  sqlite3_progress_handler(database_.getHandle(), 0, nullptr, nullptr);
   return all;
 } catch (const SQLite::Exception& e) {
   fail(e);

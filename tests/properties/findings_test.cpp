@@ -9,8 +9,6 @@
 
 namespace {
 
-
-
 /// Each finding of the text: its first line, and those below it.
 std::vector<std::pair<std::string, std::string>> findings_in(const std::string& text) {
   std::vector<std::pair<std::string, std::string>> all;
@@ -20,16 +18,18 @@ std::vector<std::pair<std::string, std::string>> findings_in(const std::string& 
   return all;
 }
 std::string campaign(const std::string& arguments, int code) {
-  const auto [returned, text] = liecheck::shell("{ " LIECHECK_PROGRAM " campaign --no-hard-cases -j 1 " + arguments +
-                                                " 2>/dev/null; } </dev/null");
+  const auto [returned, text] = liecheck::shell("{ " LIECHECK_PROGRAM " campaign --no-hard-cases -j 1 " +
+                                                arguments + " 2>/dev/null; } </dev/null");
   EXPECT_EQ(returned, code) << text;
   return text;
 }
 
 TEST(Findings, OneCauseIsOneFindingWithItsConsequencesBelowIt) {
   // The closed form of the left Jacobian cancels, and all that uses it is wrong for that reason alone.
-  const auto all = findings_in(campaign("--subject textbook --property exp_oracle --property jacobian_oracle "
-                                        "--property d_integrate --scalar double", 1));
+  const auto all =
+      findings_in(campaign("--subject textbook --property exp_oracle --property jacobian_oracle "
+                           "--property d_integrate --scalar double",
+                           1));
   const auto of = [&](const std::string& begin) {
     for (const auto& [first, below] : all)
       if (first.starts_with(begin)) return below;
@@ -39,7 +39,8 @@ TEST(Findings, OneCauseIsOneFindingWithItsConsequencesBelowIt) {
   for (const char* name : {" right_jacobian6 ", " left_jacobian6_inverse,", " d_integrate_arg1,"})
     EXPECT_NE(below_it.find(name), std::string::npos) << name << below_it;
   for (const auto& [first, below] : all) {
-    EXPECT_FALSE(first.starts_with("right_jacobian") || first.starts_with("d_integrate_arg1")) << first << below;
+    EXPECT_FALSE(first.starts_with("right_jacobian") || first.starts_with("d_integrate_arg1"))
+        << first << below;
     EXPECT_NE(below.find("   replay   liecheck replay "), std::string::npos) << first << below;
   }
 }
@@ -48,7 +49,8 @@ TEST(Findings, ACauseThatIsRightIsNotBlamed) {
   // log6 is wrong near pi since log3_matrix is. The logarithm of a quaternion, which is right there, is not named.
   const auto all = findings_in(campaign("--subject textbook --property log_oracle --scalar double", 1));
   ASSERT_FALSE(all.empty());
-  EXPECT_TRUE(all[0].first.starts_with("log3_matrix (rotation vector): all 15.7 digits lost")) << all[0].first;
+  EXPECT_TRUE(all[0].first.starts_with("log3_matrix (rotation vector): all 15.7 digits lost"))
+      << all[0].first;
   EXPECT_NE(all[0].second.find("   so       log6 is wrong, too\n"), std::string::npos) << all[0].second;
   for (const auto& [first, below] : all)
     if (first.starts_with("log3_quaternion")) EXPECT_EQ(below.find("log6"), std::string::npos) << below;
@@ -56,7 +58,8 @@ TEST(Findings, ACauseThatIsRightIsNotBlamed) {
 
 TEST(Findings, TheExampleIsOneThatAPersonWouldWrite) {
   const std::string text = campaign("--subject textbook --property exp_oracle --scalar double", 1);
-  EXPECT_NE(text.find("   example  exp6(xi = 1, 2, 3, 3e-07, 0, 0)\n            p[1] is 1.99999955"), std::string::npos)
+  EXPECT_NE(text.find("   example  exp6(xi = 1, 2, 3, 3e-07, 0, 0)\n            p[1] is 1.99999955"),
+            std::string::npos)
       << text;
 }
 
@@ -68,8 +71,9 @@ TEST(Findings, APassHasThreeLines) {
 
 TEST(Findings, TestIsTheCampaignOfAnAdapterWithItsPage) {
   const std::string page = liecheck::scratch() + "findings_page";
-  const auto [code, text] = liecheck::shell("{ " LIECHECK_PROGRAM " test " LIECHECK_C_ADAPTER
-                                            " --cases 200 -j 1 --page " + page + " 2>/dev/null; } </dev/null");
+  const auto [code, text] =
+      liecheck::shell("{ " LIECHECK_PROGRAM " test " LIECHECK_C_ADAPTER " --cases 200 -j 1 --page " + page +
+                      " 2>/dev/null; } </dev/null");
   EXPECT_EQ(code, 0) << text;
   EXPECT_TRUE(text.starts_with("verdict pass; rotations_c 1.0\n")) << text;
   EXPECT_NE(text.find("findings_page/report.html\n"), std::string::npos) << text;
