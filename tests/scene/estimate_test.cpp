@@ -234,4 +234,19 @@ TEST(Estimate, GivesUpATwinWhosePhasesTakeTooManySteps) {
   EXPECT_LT(run.estimate->cost, 20);  // it had no end before
 }
 
+/// The comparisons of a step have an end: the modes of this friction would take over a minute.
+TEST(Estimate, IsAnAlarmWhereAPhaseTakesTooManyStepsOfOne) {
+  const scene::Run run = scene::run(
+      loadSceneText("robot: {body: needle, length: 0.5, radius: 0.02, mass: 0.67}\nground: {height: 0}\n"
+                    "initial: {position: [0, 0, 0.173], attitude: [1.72, 1.32, 1.16], "
+                    "velocity: [0.193, 0.227, -0.494], angular_velocity: [0.271, 0.192, -0.273]}\n"
+                    "effects: [gravity, {contact: {bodies: all, stiffness: 1.34e+05, friction: 0.48, slip: 0.0029}}, "
+                    "{drag: {frame: body, linear: 0.044, quadratic: 0.22}}, {wrench: {frame: body, "
+                    "force: [-8.82, -4.43, 8.94], moment: [0.00988, -0.029, 0.0294]}}]\n"
+                    "integrator: {name: rkmk6, step: 0.019}\nduration: 1.501\n"),
+      {}, true);
+  ASSERT_TRUE(run.estimate);
+  EXPECT_FALSE(run.estimate->alarms.empty());
+}
+
 }  // namespace

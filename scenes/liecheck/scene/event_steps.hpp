@@ -88,8 +88,12 @@ class EventSteps {
   template <class M>
   void parts(Sys& system, M& method, State<Sys>& state, const S& end, const S& h) {
     const S start = state.t;
-    begun_ = false;
+    begun_ = false, check_.beginStep();
     try {
+      if (next_ == pieces_.times().size()) {  // the whole step
+        pieces_.hold(S((start + end) / S(2)));
+        cross(system, method, state, end, h, h);
+      }
       for (S to = end; state.t < end; state.t = to) {
         to = end;
         if (next_ < pieces_.times().size() && pieces_.times()[next_] < S(end - slack(end)))

@@ -11,6 +11,9 @@
 // accepted, or 8 h after the event: a longer phase is taken in steps of the run, as other motions are. The tolerance is a
 // hundredth of the accepted error of a motion, 1 % of its extent; |v_0|/1000 keeps it above 0 where no force acts.
 //
+// A step of the run ends the check after 8192 comparisons: as many as steps of h/4096 in it, each refused once. The rest of it
+// is taken in whole parts, and the phase is unresolved.
+//
 // Runs that estimate the error of this one (estimate.hpp) have another r, so that their steps differ inside of phases, too.
 // They may also divide every step, of phases and of parts, into equal ones.
 
@@ -24,7 +27,7 @@ struct PhaseSteps {
   long count = 0;
   double shortest = 0;  ///< length of the shortest one [s], or 0
   std::optional<double>
-      unresolved;  ///< first time at which steps of h/4096 differ by more than 1e-6 of v [s]
+      unresolved;  ///< first time at which steps of h/4096 differ by more than 1e-6 of v, or too many are compared [s]
   long tried = 0;  ///< steps that were compared with two of half the length
 };
 
@@ -45,9 +48,11 @@ class PhaseCheck {
   int divide() const { return divide_; }
   /// True while steps are to be checked.
   bool due() const { return left_ > 0; }
+  /// A step of the run begins.
+  void beginStep() { compared_ = 0; }
   /// A phase begins in a run with steps of h.
   void begin(const S& h) {
-    if (!enabled_) return;
+    if (!enabled_ || compared_ >= most_in_a_step) return;
     if (!due()) wish_ = h;
     left_ = 2, age_ = S(0);
   }
@@ -67,6 +72,11 @@ class PhaseCheck {
               Halves halves) {
     using std::max, std::min, std::pow;
     if (++made_.tried > most_) throw StepFailed("phases of the forces take too many steps");
+    if (++compared_ >= most_in_a_step) {
+      if (!made_.unresolved) made_.unresolved = double(from.t);
+      left_ = 0;
+      if (once) return true;
+    }
     S error = std::numeric_limits<S>::infinity(), apart = error;
     if (once && halves(S(s / S(2)), twice_)) {
       const auto size = [](const auto& x) { return S(x.cwiseAbs().maxCoeff()); };
@@ -101,12 +111,15 @@ class PhaseCheck {
   }
 
  private:
+  static constexpr long most_in_a_step = 8192;
+
   State<Sys> twice_;
   int order_, divide_;
   long most_;
   double tolerance_;
   bool enabled_;
   int left_ = 0;
+  long compared_ = 0;  ///< in this step of the run
   S age_ = S(0), wish_ = S(0);
   PhaseSteps made_;
 };
