@@ -14,6 +14,7 @@
 #include <subjects/remote.hpp>
 #include <subjects/subject_names.hpp>
 #include <support/float_environment.hpp>
+#include <support/same_numbers.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <support/together.hpp>
@@ -79,13 +80,11 @@ void fail_as(Outcome outcome, Judged& j) {
   j.residual.outcome = outcome, j.failed = true, j.ill_posed = false;
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 bool same(const Judged& a, const Judged& b) {
   const Residual &x = a.residual, &y = b.residual;
-  return x.output == y.output && x.band == y.band && x.outcome == y.outcome && same_bits(x.error, y.error) &&
-         same_bits(x.kappa, y.kappa) && a.failed == b.failed && a.ill_posed == b.ill_posed;
+  return x.output == y.output && x.band == y.band && x.outcome == y.outcome &&
+         same_number(x.error, y.error) && same_number(x.kappa, y.kappa) && a.failed == b.failed &&
+         a.ill_posed == b.ill_posed;
 }
 
 /// Measures with every call checked, so that one that changes the arithmetic does not reach the oracles.
