@@ -76,6 +76,13 @@ bool any_failed(const std::vector<Judged>& judged) {
   return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
 }
 
+/// Whether a line of the limits file names this sign: then the subject chooses it as liecheck does.
+bool asks_for_sign(const SubjectLimits* own, const Output& output) {
+  return own && output.block == "sign" && std::ranges::any_of(own->lines, [&](const Budget& line) {
+           return line.operation == output.operation && line.block == output.block;
+         });
+}
+
 void fail_as(Outcome outcome, Judged& j) {
   j.residual.outcome = outcome, j.failed = true, j.ill_posed = false;
 }
@@ -128,7 +135,8 @@ Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, cons
   for (const Output& o : outputs)
     limits_.push_back({o.definition,
                        {&budget_in(table, o.operation, o.block, Region::to_pi),
-                        &budget_in(table, o.operation, o.block, Region::beyond_pi)}});
+                        &budget_in(table, o.operation, o.block, Region::beyond_pi)},
+                       profile != Profile::ours && !asks_for_sign(own.get(), o)});
 }
 
 void Series::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {

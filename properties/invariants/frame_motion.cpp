@@ -25,7 +25,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw> {
   template <class T, class Case>
   void of(const Operations& subject, const Case& c, Recorder& r) const {
     const TreeOperations<double> o = subject.tree(described(c.stored));
-    const ExactFrame<T> frame(c);
+    const ExactFrame<T> frame(c, r.ordinary(op::frame_velocity[block::linear]));
     const auto& f = frame.motion;
     const bool resolved = frame.resolved;
     const FrameSizes& sizes = frame.sizes;
