@@ -82,8 +82,7 @@ std::string unsupported(const Tree<double>& tree, const Description& adapter) {
 }  // namespace
 
 const std::vector<std::string>& joint_names() {
-  static const std::vector<std::string> all{"revolute", "continuous",  "prismatic",  "helical", "spherical",
-                                            "planar",   "translation", "free-flyer", "mimic",   "armature"};
+  static const std::vector<std::string> all(oracles::joint_names.begin(), oracles::joint_names.end());
   return all;
 }
 

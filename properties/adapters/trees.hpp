@@ -12,7 +12,7 @@
 
 namespace liecheck::properties::adapters {
 
-/// The names of the kinds of joints in the order of oracles::JointKind, then "mimic" and "armature".
+/// Those of oracles::joint_names.
 const std::vector<std::string>& joint_names();
 
 /// Every operation on trees and robots.

@@ -120,7 +120,9 @@ Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, cons
   scalar = format().name, eps = format().epsilon;
   outputs = law_->outputs();
   law_->prepare(robot_used);
-  robot = law_->needs_robot() ? robot_used.hash : "none";
+  on_robot = law_->needs_robot();
+  const std::string drawn_from = law_->draw_for(tested);
+  robot = on_robot ? robot_used.hash : drawn_from.empty() ? "none" : drawn_from;
   robot_fixed = robot_used.fixed;
   fields = law_->fields();
   for (std::size_t i = 0; i < outputs.size(); ++i)

@@ -128,7 +128,7 @@ Trial attempt(const Series& series, const CaseId& address) {
 }
 
 bool concerns(const HardCase& h, const Series& s) {
-  return s.robot == "none" && std::ranges::count(h.properties, s.property) &&
+  return !s.on_robot && std::ranges::count(h.properties, s.property) &&
          (h.scalars.empty() || std::ranges::count(h.scalars, s.scalar));
 }
 

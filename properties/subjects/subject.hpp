@@ -2,8 +2,10 @@
 // A subject is a library under test in one scalar, given by the functions that it offers. The harness calls them with
 // doubles, whatever the scalar is: typed.hpp says how a library's own functions are registered.
 
+#include <cstdint>
 #include <functional>
 #include <operations/operations.hpp>
+#include <oracles/joint_set.hpp>
 #include <oracles/scalar.hpp>
 #include <string>
 #include <vector>
@@ -30,12 +32,20 @@ struct Operations : SpatialSlots<Doubles> {
   std::function<TreeOperations<double>(const Tree<double>& tree)> tree;
 };
 
+/// What a subject takes where the inputs of a law differ in kind: they are drawn from it. By default everything.
+struct Taken {
+  static constexpr std::uint32_t every_order = (1u << 24) - 1;
+  oracles::JointSet joints;            ///< of its trees
+  std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
+};
+
 struct Subject {
   std::string name;
   std::string version;
   std::string adapter = {};  ///< how the user gave it with --adapter, or "" for one of the program
   const Scalar* scalar = nullptr;
   Operations operations = {};
+  Taken takes = {};
 };
 
 /// Every subject in this scalar, in alphabetical order.
