@@ -157,6 +157,8 @@ class TreeCheck {
     auto at = std::ranges::find_if(to_, is_this);
     if (at == to_.end()) at = to_.insert(at, {std::string(o.name), scalar, ""});
     for (const Seen seen : {Seen::world, Seen::local, Seen::aligned}) {
+      constexpr const char* names[] = {"world", "local", "aligned"};
+      if (sees(o) && !adapter_.description().references.contains(names[static_cast<int>(seen)])) continue;
       if (!at->complaint.empty() || (!sees(o) && seen != Seen::world)) return;
       scalar_.with([&]<class S>() { at->complaint = asked<S>(o, reference, seen); });
     }

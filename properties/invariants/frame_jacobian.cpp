@@ -40,7 +40,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
              view == Seen::aligned ? exact.classical : exact.acceleration,
              {sizes.acceleration(view), sizes.al}, frame.resolved);
       }
-    }
+    });
   }
 
  private:

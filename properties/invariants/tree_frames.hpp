@@ -2,10 +2,27 @@
 // The motion of a frame of a tree, expressed in each of the three reference frames.
 
 #include <invariants/tree_law.hpp>
+#include <optional>
 
 namespace liecheck::properties {
 
 inline constexpr Seen every_view[] = {Seen::world, Seen::local, Seen::aligned};
+
+/// Calls f(view) for each reference. A call in one that the subject does not have is outside its domain and ends f alone;
+/// throws if it has none.
+template <class F>
+void for_each_view(const F& f) {
+  std::optional<CallFailed> outside;
+  bool any = false;
+  for (const Seen view : every_view) try {
+      f(view);
+      any = true;
+    } catch (const CallFailed& e) {
+      if (e.outcome != Outcome::outside_domain) throw;
+      outside = e;
+    }
+  if (!any && outside) throw CallFailed(*outside);
+}
 
 template <class T>
 struct FrameViews {

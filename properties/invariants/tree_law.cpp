@@ -328,6 +328,12 @@ oracles::TreeSizes<double> CaseAt<T>::sizes(const std::vector<double>& v, const 
   return {stored.tree, stored.q, v, a, pushed ? stored.wrench : std::vector<oracles::WrenchOf<double>>()};
 }
 template <class T>
+void CaseAt<T>::note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact) {
+  if constexpr (std::is_same_v<T, oracles::Real>)
+    if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
+      w->all.push_back({computed, exact});
+}
+template <class T>
 bool CaseAt<T>::resolved(bool direction) const {
   if constexpr (oracles::BallNumber<T>)
     return true;
@@ -338,17 +344,18 @@ template <class T>
 void CaseAt<T>::record(Recorder& r, const Output& output, const VecX<double>& computed,
                        const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
                        bool confirmed) const {
-  if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
+  if (!oracles::all_finite(computed)) {
+    if constexpr (!oracles::BallNumber<T>) note(output, exact_list<T>(computed), exact_value);
+    return r.outcome(output, 0, Outcome::not_finite);
+  }
   record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
 }
 template <class T>
 void CaseAt<T>::record(Recorder& r, const Output& output, const std::vector<T>& computed,
                        const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
                        bool confirmed) const {
+  note(output, computed, exact_value);
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
-  if constexpr (std::is_same_v<T, oracles::Real>)
-    if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
-      w->computed = computed, w->exact = exact_value;
   const T size = oracles::larger(weighted_norm(exact_value, w), T(r.scalar().least_denominator()));
   double kappa = terms / approximate(size);
   const auto known = [&] { return kappa; };

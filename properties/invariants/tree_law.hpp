@@ -119,6 +119,8 @@ struct CaseAt {
               bool confirmed) const;
 
  private:
+  /// Tells what is compared to the thread's witness, if it has one for the output.
+  static void note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact);
   mutable std::shared_ptr<const oracles::TreePoses<T>> poses_;
 };
 
