@@ -65,6 +65,22 @@ const Registered<double> ordinary[] = {
                  if (next[6] < 0) next.tail<4>() *= -1;
                  return next;
                }),
+    registered("ordinary:columns",
+               [](O& o) {
+                 o.tree = [](const Tree<double>& tree) {
+                   auto t = own().tree(tree);
+                   TreeOperations<double> few;
+                   few[op::tree_crba] = [t](const auto& q) -> MatX<double> {  // by inverse dynamics
+                     MatX<double> M = t[op::tree_crba](q);
+                     const VecX<double> zero = VecX<double>::Zero(M.cols());
+                     for (int k = 0; k < M.cols(); ++k)
+                       M.col(k) = t[op::tree_rnea](q, zero, VecX<double>::Unit(M.cols(), k), -1,
+                                                   Vec<double, 6>::Zero());
+                     return M;
+                   };
+                   return few;
+                 };
+               }),
     registered("ordinary:frames", [](O& o) {
       o.tree = [](const Tree<double>& tree) {
         auto t = own().tree(tree);
@@ -108,6 +124,12 @@ TEST(OrdinaryForms, OfPosesAreAccusedByTheProfileOursOnly) {
     EXPECT_FALSE(r.failed) << failures(r);
   }
   const CampaignResult r = run("ordinary:canonical", {"sign_continuity"}, Profile::careful, 1000);
+  EXPECT_FALSE(r.failed) << failures(r);
+}
+
+TEST(OrdinaryForms, AMassMatrixByColumnsIsAccusedByTheProfileOursOnly) {
+  EXPECT_TRUE(run("ordinary:columns", {"mass_matrix"}, Profile::ours, 600).failed);
+  const CampaignResult r = run("ordinary:columns", {"mass_matrix"}, Profile::careful, 3000);
   EXPECT_FALSE(r.failed) << failures(r);
 }
 
