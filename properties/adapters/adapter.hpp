@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <subjects/outcome.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/taken.hpp>
 #include <utility>
 
 struct liecheck_adapter;  // liecheck_adapter.h

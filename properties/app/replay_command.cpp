@@ -31,8 +31,8 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
         fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
   const Series& series = *found.front();
   if (!series.on_robot && id.robot != series.robot && !(id.raw && id.robot == "none"))
-    throw std::invalid_argument(fmt::format("case ID '{}' names {}, but {} of {} takes no robot: expected {}",
-                                            text, id.robot, id.property, id.subject, series.robot));
+    throw std::invalid_argument(fmt::format("case ID '{}' names robot {}, but {} takes no robot: expected {}",
+                                            text, id.robot, id.property, series.robot));
   if (series.on_robot && series.robot != id.robot)
     throw std::invalid_argument(
         fmt::format("case ID names robot {}, but this robot is {}: give the right URDF with --robot",

@@ -5,7 +5,7 @@
 
 #include <generators/rotations.hpp>
 #include <generators/tree_layout.hpp>
-#include <oracles/joint_set.hpp>
+#include <oracles/tree.hpp>
 
 namespace liecheck::properties {
 

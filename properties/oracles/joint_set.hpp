@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <oracles/tree.hpp>
 #include <string>
 #include <string_view>
 
 namespace liecheck::oracles {
+
+enum class JointKind { revolute, continuous, prismatic, helical, spherical, planar, translation, free_flyer };
 
 /// The kinds in the order of JointKind, then "mimic" and "armature".
 inline constexpr std::array<std::string_view, 10> joint_names{

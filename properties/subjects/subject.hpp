@@ -2,12 +2,11 @@
 // A subject is a library under test in one scalar, given by the functions that it offers. The harness calls them with
 // doubles, whatever the scalar is: typed.hpp says how a library's own functions are registered.
 
-#include <cstdint>
 #include <functional>
 #include <operations/operations.hpp>
-#include <oracles/joint_set.hpp>
 #include <oracles/scalar.hpp>
 #include <string>
+#include <subjects/taken.hpp>
 #include <vector>
 
 namespace liecheck::properties {
@@ -30,13 +29,6 @@ struct Operations : SpatialSlots<Doubles> {
 
   /// Builds a tree of bodies and returns the algorithms on it.
   std::function<TreeOperations<double>(const Tree<double>& tree)> tree;
-};
-
-/// What a subject takes where the inputs of a law differ in kind: they are drawn from it. By default everything.
-struct Taken {
-  static constexpr std::uint32_t every_order = (1u << 24) - 1;
-  oracles::JointSet joints;            ///< of its trees
-  std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
 };
 
 struct Subject {
