@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <subjects/outcome.hpp>
+#include <subjects/taken.hpp>
 #include <utility>
 
 struct liecheck_adapter;  // liecheck_adapter.h
@@ -32,6 +33,8 @@ struct Description {
       {};                                  ///< programs by operation: docs/adapters.md, Reading a failure
   std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf"
   std::set<std::string> joints = {};       ///< kinds of joints; empty for all
+  std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames
+  std::uint32_t orders = Taken::every_order;  ///< of Euler angles: bit k for order k, found by asking
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

@@ -7,7 +7,7 @@
 #include <adapters/tree_check.hpp>
 #include <algorithm>
 #include <conventions/probe.hpp>
-#include <cstring>
+#include <support/same_numbers.hpp>
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -39,7 +39,7 @@ std::string asked(Adapter& adapter, const OperationSizes& o,
     call(k, 1, single);
     const auto alone = std::span(single).subspan(k * o.results, o.results),
                batch = std::span(together).subspan(k * o.results, o.results);
-    if (status[k] != Status::done || std::memcmp(alone.data(), batch.data(), alone.size_bytes()) != 0)
+    if (status[k] != Status::done || !same_numbers<S>(alone, batch))
       return fmt::format("gives {:.6g} in a batch of {} inputs, and {:.6g} for the same input alone",
                          fmt::join(batch, " "), n, fmt::join(alone, " "));
     answers.push_back({arguments[k], {alone.begin(), alone.end()}});

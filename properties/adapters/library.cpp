@@ -162,8 +162,10 @@ liecheck_adapter copied(const liecheck_adapter& its) {
 class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
-  /// `source` is its liecheck_get_source, or null.
-  Library(const liecheck_adapter* its, Source source, const std::string& file, bool repeats)
+  using References = const char* (*)();
+  /// `source` and `references` are its liecheck_get_source and liecheck_get_references, or null.
+  Library(const liecheck_adapter* its, Source source, References references, const std::string& file,
+          bool repeats)
       : repeats_here_(repeats) {
     if (repeats) Inside::watch();
     if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
@@ -199,6 +201,8 @@ class Library final : public Adapter {
     description_.models = names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf"}, file);
     if (description_.models.empty()) throw AdapterFailed(fmt::format("{} has an empty list of models", file));
     if (adapter_.joints) description_.joints = names_in(adapter_.joints, joint_names(), file);
+    if (const char* const names = references ? references() : nullptr)
+      description_.references = names_in(names, {"world", "local", "aligned"}, file);
     for (const Operation* o : model_operations())
       for (const bool is_double : {false, true}) {
         const std::string name(o->name);
@@ -218,8 +222,9 @@ class Library final : public Adapter {
     const FloatEnvironment environment;
     const auto [module, entry] = opened(file);
     const auto source = reinterpret_cast<Source>(dlsym(module, "liecheck_get_source"));
+    const auto references = reinterpret_cast<References>(dlsym(module, "liecheck_get_references"));
     try {
-      return std::make_unique<Library>(entry(), source, file, repeats);
+      return std::make_unique<Library>(entry(), source, references, file, repeats);
     } catch (const AdapterFailed&) {
       throw;
     } catch (const std::exception& e) {
@@ -378,7 +383,7 @@ CFunction function_of_library(const std::string& file, const std::string& operat
   return Library::found(copied(*opened(file).second()), operation, scalar == "double");
 }
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
-  return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);
+  return std::make_unique<Library>(&adapter, nullptr, nullptr, "the linked adapter", true);
 }
 
 }  // namespace liecheck::properties::adapters

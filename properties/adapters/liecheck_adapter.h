@@ -100,6 +100,9 @@ const struct liecheck_adapter* liecheck_get_adapter(void);
  * with {phi} where the numbers of the argument phi belong, or NULL. A failure is printed with it. */
 const char* liecheck_get_source(const char* operation);
 
+/* And this one: the references in which it sees frames, "world, local, aligned" or fewer. NULL for all. */
+const char* liecheck_get_references(void);
+
 #ifdef __cplusplus
 }
 #endif

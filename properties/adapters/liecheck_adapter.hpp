@@ -23,6 +23,7 @@
 //       void tree_rnea(std::span<const double> arguments, std::span<double> tau);
 //     };
 //     static constexpr const char *models = "joints, urdf", *joints = "revolute, prismatic";   // by default joints, of all kinds
+//     static constexpr const char* references = "local";                              // of frames; by default world, local, aligned
 //
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
@@ -217,6 +218,15 @@ const char* source_of(const char* operation) {
     return nullptr;
 }
 
+/// Subject::references, or null if there is no such member.
+template <class Subject>
+const char* references_of() {
+  if constexpr (requires { Subject::references; })
+    return Subject::references;
+  else
+    return nullptr;
+}
+
 /// Whether F takes I numbers and writes R, of float or double: checked when the adapter is compiled.
 template <class F, class Subject, std::size_t I, std::size_t R>
 inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F, Subject, double, I, R>;
@@ -289,4 +299,7 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
   }                                                                   \
   extern "C" const char* liecheck_get_source(const char* operation) { \
     return liecheck::adapter::source_of<Subject>(operation);          \
+  }                                                                   \
+  extern "C" const char* liecheck_get_references() {                  \
+    return liecheck::adapter::references_of<Subject>();               \
   }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <latch>
 #include <support/float_environment.hpp>
+#include <support/same_numbers.hpp>
 #include <thread>
 #include <utility>
 
@@ -25,7 +26,7 @@ std::string numbers(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-std::size_t Repeats::other_result(const CFunction& function, bool reversed) const {
+std::size_t Repeats::other_result(const CFunction& function, bool is_double, bool reversed) const {
   for (std::size_t k = 0; k < calls_.size(); ++k) {
     const std::size_t i = reversed ? calls_.size() - 1 - k : k;
     const FloatEnvironment environment;  // of this thread
@@ -36,7 +37,8 @@ std::size_t Repeats::other_result(const CFunction& function, bool reversed) cons
     } catch (...) {
       return i;
     }
-    if (status != liecheck_done || result != calls_[i].result) return i;
+    const auto same = is_double ? same_numbers_in<double> : same_numbers_in<float>;
+    if (status != liecheck_done || !same(result, calls_[i].result)) return i;
   }
   return calls_.size();
 }
@@ -52,7 +54,7 @@ std::string Repeats::note(const Batch& b, const CFunction& function, bool thread
       calls_.push_back({part(b.inputs), part(b.results)});
     }
   if (calls_.size() < enough) return "";
-  std::size_t at = other_result(function, true);
+  std::size_t at = other_result(function, b.is_double, true);
   const char* when = "after other calls";
   if (at == calls_.size() && threads) {
     when = "when two threads call at the same time";
@@ -60,10 +62,10 @@ std::string Repeats::note(const Batch& b, const CFunction& function, bool thread
     std::latch both(2);
     std::thread second([&] {
       both.arrive_and_wait();
-      other = other_result(function, true);
+      other = other_result(function, b.is_double, true);
     });
     both.arrive_and_wait();
-    at = other_result(function, false);
+    at = other_result(function, b.is_double, false);
     second.join();
     at = std::min(at, other);
   }

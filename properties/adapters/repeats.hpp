@@ -1,6 +1,6 @@
 #pragma once
 // Some calls of a function are repeated later, after other calls and from two threads. A result that then has
-// other bits depends on more than its input.
+// other bits, where one NaN is as good as another, depends on more than its input.
 
 #include <adapters/adapter.hpp>
 #include <mutex>
@@ -22,7 +22,7 @@ class Repeats {
     std::vector<std::byte> input, result;
   };
   /// The index of the first call whose result is another one now, or of no call.
-  std::size_t other_result(const CFunction& function, bool reversed) const;
+  std::size_t other_result(const CFunction& function, bool is_double, bool reversed) const;
 
   static constexpr unsigned each = 20;
   static constexpr std::size_t enough = 32;

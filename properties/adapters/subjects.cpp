@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <conventions/probe.hpp>
+#include <conventions/values.hpp>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -87,6 +89,7 @@ void register_one(int number, const std::string& text, const Description& d, con
   };
   if (std::ranges::none_of(d.offered, [&](const auto& o) { return o.second == scalar.name; })) return;
   Subject s{d.name, d.version, text, &scalar};
+  s.takes = {oracles::JointSet(d.joints), d.orders};
   fill_slots(s.operations, [&](const Operation& o) {
     NumberFunction f{&o, &scalar};
     if (offers(o.name))
@@ -154,6 +157,32 @@ std::unique_ptr<Adapter> as_called(std::unique_ptr<Adapter> own) {
   return std::make_unique<Converted>(std::move(own), stated);
 }
 
+/// The orders of Euler angles that the adapter does not refuse in all of its operations; all if a call has no answer.
+std::uint32_t orders_of(Adapter& adapter) try {
+  std::uint32_t taken = 0;
+  for (const OperationSizes& o : operation_sizes())
+    for (const Scalar* scalar : {&oracles::scalar_of<double>, &oracles::scalar_of<float>}) {
+      const Operation& operation = conventions::operation_named(o.operation);
+      if (!conventions::has_order(operation) ||
+          !adapter.description().offered.contains({std::string(o.operation), std::string(scalar->name)}))
+        continue;
+      scalar->with([&]<class S>() {
+        const std::vector<std::vector<double>> some = conventions::probe_arguments<S>(operation);
+        for (int order = 0; order < 24; ++order) {
+          std::vector<S> inputs(some.at(0).begin(), some.at(0).end()), results(o.results);
+          inputs.at(0) = S(order);
+          std::array<Status, 1> status{};
+          adapter.call({o, !scalar->is_float(), 1, std::as_bytes(std::span(inputs)),
+                        std::as_writable_bytes(std::span(results)), status});
+          if (status[0] != Status::refused) taken |= 1u << order;
+        }
+      });
+    }
+  return taken ? taken : Taken::every_order;
+} catch (const AdapterFailed&) {
+  return Taken::every_order;
+}
+
 /// Registers the subject of an adapter. Every thread uses it or, if it is not `in_process`, starts it once more.
 std::string register_as(const std::string& text, const std::string& name, bool in_process,
                         const std::function<std::shared_ptr<Adapter>()>& start_first) {
@@ -168,6 +197,7 @@ std::string register_as(const std::string& text, const std::string& name, bool i
     const std::shared_ptr<Adapter> first = start_first();
     d = first->description();
     if (!name.empty()) d.name = name;
+    d.orders = orders_of(*first);
     if (in_process) source.in_process = first;
   } catch (const AdapterFailed& e) {
     refuse(e.what());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <subjects/number_function.hpp>
@@ -15,6 +16,11 @@ using nlohmann::json;
 /// Whether the operation takes a frame.
 bool of_frame(const Operation& o) {
   return o.name.starts_with("frame_");
+}
+
+/// Whether the operation takes a reference.
+bool sees(const Operation& o) {
+  return std::ranges::any_of(o.arguments, [](const Layout* l) { return l->name == op::seen.name; });
 }
 
 /// Writes a model with its numbers rounded to a scalar.
@@ -82,8 +88,7 @@ std::string unsupported(const Tree<double>& tree, const Description& adapter) {
 }  // namespace
 
 const std::vector<std::string>& joint_names() {
-  static const std::vector<std::string> all{"revolute", "continuous",  "prismatic",  "helical", "spherical",
-                                            "planar",   "translation", "free-flyer", "mimic",   "armature"};
+  static const std::vector<std::string> all(oracles::joint_names.begin(), oracles::joint_names.end());
   return all;
 }
 
@@ -120,6 +125,7 @@ Model::Model(const Tree<double>& tree, const Description& adapter, const Scalar&
     : size_{tree.nq, tree.nv},
       scalar_(scalar),
       frame_{static_cast<double>(tree.frame_joint)},
+      references_(adapter.references),
       route_(std::move(route)) {
   frame_.insert(frame_.end(), tree.frame_Q.x.begin(), tree.frame_Q.x.end());
   frame_.insert(frame_.end(), tree.frame_p.x.begin(), tree.frame_p.x.end());
@@ -142,10 +148,22 @@ OperationSizes Model::sizes(const Operation& o) const {
           count_numbers(o.results, size_)};
 }
 
+void Model::check_reference(const Operation& o, const void* arguments) const {
+  constexpr std::array names{"world", "local", "aligned"};
+  scalar_.with([&]<class S>() {  // the reference is the last argument
+    const auto seen = static_cast<const S*>(arguments)[count_numbers(o.arguments, size_) - 1];
+    if (!references_.contains(names.at(static_cast<std::size_t>(seen))))
+      throw CallFailed(
+          fmt::format("the adapter sees no frame in: {}", names.at(static_cast<std::size_t>(seen))), o.name,
+          Outcome::outside_domain);
+  });
+}
+
 void Model::call(const Operation& o, const void* arguments, void* results) const {
   if (!unsupported_.empty()) throw CallFailed(unsupported_, o.name, Outcome::outside_domain);
   const OperationSizes expected = sizes(o);
   const std::size_t size = scalar_.size;
+  if (sees(o)) check_reference(o, arguments);
   std::vector<std::byte> all(expected.inputs * size);
   std::byte* const frame = std::copy_n(static_cast<const std::byte*>(arguments),
                                        count_numbers(o.arguments, size_) * size, all.data());

@@ -6,13 +6,14 @@
 #include <adapters/adapter.hpp>
 #include <functional>
 #include <operations/numbers.hpp>
+#include <set>
 #include <subjects/subject.hpp>
 #include <subjects/tree.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
 
-/// The names of the kinds of joints in the order of oracles::JointKind, then "mimic" and "armature".
+/// Those of oracles::joint_names.
 const std::vector<std::string>& joint_names();
 
 /// Every operation on trees and robots.
@@ -41,11 +42,15 @@ class Model {
   const std::vector<double>& frame() const { return frame_; }
 
  private:
+  /// Throws CallFailed if the adapter does not see frames in the reference.
+  void check_reference(const Operation& operation, const void* arguments) const;
+
   std::string text_;
   ModelSize size_;
   const Scalar& scalar_;
   std::vector<double> frame_;
-  std::string unsupported_;  ///< a joint that the adapter does not take, or ""
+  std::string unsupported_;           ///< a joint that the adapter does not take, or ""
+  std::set<std::string> references_;  ///< in which it sees frames
   Route route_;
 };
 

@@ -30,10 +30,10 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
     throw std::invalid_argument(
         fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
   const Series& series = *found.front();
-  if (series.robot == "none" && id.robot != "none")
-    throw std::invalid_argument(fmt::format(
-        "case ID '{}' names robot {}, but {} takes no robot: expected none", text, id.robot, id.property));
-  if (series.robot != id.robot)
+  if (!series.on_robot && id.robot != series.robot && !(id.raw && id.robot == "none"))
+    throw std::invalid_argument(fmt::format("case ID '{}' names robot {}, but {} takes no robot: expected {}",
+                                            text, id.robot, id.property, series.robot));
+  if (series.on_robot && series.robot != id.robot)
     throw std::invalid_argument(
         fmt::format("case ID names robot {}, but this robot is {}: give the right URDF with --robot",
                     id.robot, series.robot));

@@ -4,8 +4,9 @@
 //   g4.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
 //   raw.PROPERTY.SUBJECT.SCALAR.ROBOT.X,X,...      shrunk or typed: the input itself, hexadecimal floats
 //
-// ROBOT is "none" or Robot::hash. The generator's key does not depend on the subject, so every subject gets
-// the same inputs in one scalar.
+// ROBOT is "none" or Robot::hash, or says from what the inputs are drawn for a subject that does not take all of them:
+// "revolute_prismatic" joints, "orders_11". The generator's key does not depend on the subject, so all subjects that take
+// the same get the same inputs in one scalar.
 
 #include <cstdint>
 #include <generators/random_bits.hpp>

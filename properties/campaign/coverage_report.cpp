@@ -134,7 +134,9 @@ std::vector<std::string> not_measured(const Series& series, const Tally& tally) 
                         n = tally.cases - outside,
                         measured = tally.coverage.cases(&MeasuredOutputs::measured, i);
     const bool few = n / measured_one_in >= expected_at_least && measured < n / measured_one_in;
-    if (measured == 0 || few)
+    // So few cases of a long campaign are no verdict, whatever excludes the others.
+    const bool too_few = tally.cases / measured_one_in >= expected_at_least && measured < expected_at_least;
+    if (measured == 0 || few || too_few)
       all.push_back(fmt::format("{}: measured in {} of {} cases{}", name_of(o), measured, n,
                                 outside ? fmt::format(", {} more are outside the domain", outside) : ""));
   });

@@ -21,6 +21,7 @@ inline constexpr double largest_inexact_limit = 64;
 struct OutputLimits {
   const Block* definition;
   std::array<const Budget*, 2> budgets;
+  bool ordinary = false;  ///< Recorder::ordinary
 };
 /// The limits of a law's outputs, in their order.
 using Limits = std::vector<OutputLimits>;
@@ -84,6 +85,7 @@ class Judge final : public Recorder {
   double limit(const Output& output, std::size_t band) const override {
     return budget(index(output), band)->limit;
   }
+  bool ordinary(const Output& output) const override { return limits_[index(output)].ordinary; }
   /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured.
   void close(std::uint32_t outputs) {
     for (std::size_t i = 0; i < limits_.size(); ++i)

@@ -14,6 +14,7 @@
 #include <subjects/remote.hpp>
 #include <subjects/subject_names.hpp>
 #include <support/float_environment.hpp>
+#include <support/same_numbers.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <support/together.hpp>
@@ -75,17 +76,22 @@ bool any_failed(const std::vector<Judged>& judged) {
   return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
 }
 
+/// Whether a line of the limits file names this sign: then the subject chooses it as liecheck does.
+bool asks_for_sign(const SubjectLimits* own, const Output& output) {
+  return own && output.block == "sign" && std::ranges::any_of(own->lines, [&](const Budget& line) {
+           return line.operation == output.operation && line.block == output.block;
+         });
+}
+
 void fail_as(Outcome outcome, Judged& j) {
   j.residual.outcome = outcome, j.failed = true, j.ill_posed = false;
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 bool same(const Judged& a, const Judged& b) {
   const Residual &x = a.residual, &y = b.residual;
-  return x.output == y.output && x.band == y.band && x.outcome == y.outcome && same_bits(x.error, y.error) &&
-         same_bits(x.kappa, y.kappa) && a.failed == b.failed && a.ill_posed == b.ill_posed;
+  return x.output == y.output && x.band == y.band && x.outcome == y.outcome &&
+         same_number(x.error, y.error) && same_number(x.kappa, y.kappa) && a.failed == b.failed &&
+         a.ill_posed == b.ill_posed;
 }
 
 /// Measures with every call checked, so that one that changes the arithmetic does not reach the oracles.
@@ -114,7 +120,9 @@ Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, cons
   scalar = format().name, eps = format().epsilon;
   outputs = law_->outputs();
   law_->prepare(robot_used);
-  robot = law_->needs_robot() ? robot_used.hash : "none";
+  on_robot = law_->needs_robot();
+  const std::string drawn_from = law_->draw_for(tested);
+  robot = on_robot ? robot_used.hash : drawn_from.empty() ? "none" : drawn_from;
   robot_fixed = robot_used.fixed;
   fields = law_->fields();
   for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -129,7 +137,8 @@ Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, cons
   for (const Output& o : outputs)
     limits_.push_back({o.definition,
                        {&budget_in(table, o.operation, o.block, Region::to_pi),
-                        &budget_in(table, o.operation, o.block, Region::beyond_pi)}});
+                        &budget_in(table, o.operation, o.block, Region::beyond_pi)},
+                       profile != Profile::ours && !asks_for_sign(own.get(), o)});
 }
 
 void Series::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {

@@ -27,6 +27,8 @@ class Series {
   std::string property, subject, subject_version, scalar, robot;
   std::string adapter;  ///< how the subject was given with --adapter, or ""
   bool robot_fixed = false;
+  bool on_robot =
+      false;  ///< `robot` is the hash of one; otherwise it says from what the inputs are drawn, or "none"
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;

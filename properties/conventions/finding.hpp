@@ -10,7 +10,9 @@ namespace liecheck::properties::conventions {
 inline constexpr double probe_tolerance = 1e-3;
 
 struct Finding {
-  bool named;  ///< a convention; otherwise one operation that no known convention explains
+  /// A convention; otherwise one operation that no known convention explains, or in which one holds that does not hold in
+  /// as many others.
+  bool named;
   std::string sentence;
   std::vector<std::string> operations;
 };

@@ -264,7 +264,7 @@ std::vector<Finding> explain(const std::vector<Probed>& all) {
     const Statement& s = conventions()[c].statement;
     if (conventions()[c].exact && others.empty())
       sentence += fmt::format(", or state \"{}\": \"{}\"", s.name, s.value);
-    findings.push_back({true, sentence, names(those)});
+    findings.push_back({others.size() < those.size(), sentence, names(those)});
   }
   for (std::size_t k = 0; k < all.size(); ++k)
     if (!e[k]) findings.push_back({false, unexplained(all[k]), names({k})});

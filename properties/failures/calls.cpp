@@ -18,6 +18,11 @@ void append_numbers(std::vector<double>& to, const T& value) {
   if constexpr (!std::is_enum_v<T>)
     for_each_number(value, [&to](const auto& number) { to.push_back(static_cast<double>(number)); });
 }
+template <class T>
+void note_reference(NotedCall& call, const T& value) {
+  constexpr const char* names[] = {"WORLD", "LOCAL", "LOCAL_WORLD_ALIGNED"};
+  if constexpr (std::is_same_v<T, Seen>) call.seen = names[static_cast<int>(value)];
+}
 
 /// The hook of a subject whose calls are noted.
 struct Noting {
@@ -27,6 +32,7 @@ struct Noting {
   auto operator()(const Operation& operation, const F& function, const A&... arguments) const {
     NotedCall call{&operation, {}, {}, ""};
     (append_numbers(call.arguments, arguments), ...);
+    (note_reference(call, arguments), ...);
     try {
       auto result = function(arguments...);
       append_numbers(call.result, result);
@@ -48,6 +54,16 @@ bool concerns(const Property& law, const Output& output, const NotedCall& call) 
   return false;
 }
 
+/// The measurement of the output that is worst by the rule of its limit, as an index among all of the output.
+std::size_t worst_of(const Series& series, const std::vector<Judged>& all) {
+  const auto score = [&](const Judged& j) {
+    if (j.residual.outcome != Outcome::measured) return std::numeric_limits<double>::infinity();
+    const Region region = series.bands()[j.residual.band].region;
+    return series.budget(j.residual.output, region).rule == Rule::excess ? j.excess : j.residual.error;
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, score) - all.begin());
+}
+
 NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   const Output& of = series.outputs.at(output);
   const std::vector<double> x = series.parsed(id);
@@ -59,7 +75,7 @@ NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   Limits limits = series.limits();
   for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
   Judge judge(limits, series.format(), 0, true);
-  Witness witness{of.operation, of.block, {}, {}};
+  Witness witness{of.operation, of.block, {}};
   Witness* const before = std::exchange(Witness::current(), &witness);
   try {
     series.tested_law().measure(subject, x, judge);
@@ -69,12 +85,18 @@ NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   NotedCase all;
   for (NotedCall& call : *noting.calls)
     if (concerns(series.tested_law(), of, call)) all.calls.push_back(std::move(call));
-  all.compared = {std::move(witness.computed), std::move(witness.exact)};
-  for (const Judged& j : judge.judged)
-    if (j.residual.output == output) {
-      all.kappa = std::max(all.kappa, j.residual.kappa);
-      all.wrong_branch |= j.residual.outcome == Outcome::wrong_branch;
-    }
+  std::erase_if(judge.judged, [&](const Judged& j) { return j.residual.output != output; });
+  for (const Judged& j : judge.judged) all.wrong_branch |= j.residual.outcome == Outcome::wrong_branch;
+  if (judge.judged.empty()) return all;
+  const std::size_t worst = worst_of(series, judge.judged), measured = judge.judged.size();
+  all.kappa = judge.judged[worst].residual.kappa;
+  if (witness.all.empty()) return all;
+  Witness::Compared& compared = witness.all.size() == measured ? witness.all[worst] : witness.all.back();
+  all.compared = {std::move(compared.computed), std::move(compared.exact)};
+  std::vector<const NotedCall*> own;
+  for (const NotedCall& call : all.calls)
+    if (call.operation == of.record) own.push_back(&call);
+  if (own.size() == measured) all.compared.seen = own[worst]->seen;
   return all;
 }
 

@@ -12,18 +12,20 @@ namespace liecheck::properties {
 struct NotedCall {
   const Operation* operation;
   std::vector<double> arguments, result;
-  std::string thrown;  ///< the message of what the call threw, or ""
+  std::string thrown;     ///< the message of what the call threw, or ""
+  std::string seen = {};  ///< the reference frame that was asked for, or ""
 };
 
 /// What a law compared for one output, where it is no result of a call that `expected_of` knows: exact numbers.
 struct NotedComparison {
   std::vector<oracles::Real> computed, exact;
+  std::string seen = {};  ///< of its call
 };
 
 struct NotedCase {
   std::vector<NotedCall> calls;  ///< of operations from which the output is formed, or of its own
-  NotedComparison compared;      ///< of the output; empty for a law on fixed-size values
-  double kappa = 0;              ///< of the output, also under the forward rule; 0 if the law gives none
+  NotedComparison compared;      ///< of the output where it is worst; empty for a law on fixed-size values
+  double kappa = 0;              ///< there, also under the forward rule; 0 if the law gives none
   bool wrong_branch = false;     ///< the output is on another branch than the exact one
 };
 

@@ -17,7 +17,7 @@ std::string case_text(const Series& series, const CaseId& id, const std::vector<
   std::string program;
   if (!series.adapter.empty()) program = adapter_program(series, series.outputs[output], case_noted);
   Judged with_kappa = judged;
-  if (case_noted.kappa > 0) with_kappa.residual.kappa = case_noted.kappa;
+  if (judged.residual.kappa == 0) with_kappa.residual.kappa = case_noted.kappa;
   std::string lost;
   if (judged.residual.outcome == Outcome::measured)
     lost = digits_lost(

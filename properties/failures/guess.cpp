@@ -301,7 +301,7 @@ std::string guess_of(const FailedBlock& f) {
     if (m.wrong * 3 <= m.all) return "";
     const std::string other =
         convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
-    return !other.empty() || euler_angles || f.worst->series->robot != "none" ||
+    return !other.empty() || euler_angles || f.worst->series->on_robot ||
                    is_tree_law(f.worst->series->property)
                ? other
                : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "

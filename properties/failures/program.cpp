@@ -38,7 +38,7 @@ std::string variable_of(const Layout& argument) {
 
 /// The law's fields. Fields of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).
 std::vector<Field> whole_vectors(const Series& series) {
-  if (series.robot == "none") return series.fields;
+  if (!series.on_robot) return series.fields;
   std::vector<Field> all;
   for (const Field& f : series.fields) {
     const std::string name = f.name.substr(0, f.name.find('_'));
@@ -87,7 +87,7 @@ std::string program_of(const Series& series, const Output& output, const std::ve
     return own.insert(own.find(main) + main.size(), note());
   }
   const Operation& operation = *output.record;
-  const bool robot = series.robot != "none";
+  const bool robot = series.on_robot;
   std::string text = fmt::format(
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}\n"
       "#include <iostream>\n#include <liecheck/{}>\nusing namespace liecheck;\nint main() {{\n  using S = "

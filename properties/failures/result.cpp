@@ -143,7 +143,11 @@ std::string others_of(const NotedCall& call, const std::vector<Real>& exact) {
 std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& compared) {
   std::vector<double> computed;
   for (const Real& x : compared.computed) computed.push_back(static_cast<double>(x));
-  const Part& part = output.record->results[0]->parts[0];
+  const Layout& layout = *output.record->results[0];
+  const auto own = std::ranges::find_if(layout.parts, [&](const Part& part) {
+    return concerns(output, layout, part) && static_cast<std::size_t>(part.size) == computed.size();
+  });
+  const Part& part = own == layout.parts.end() ? layout.parts[0] : *own;
   std::vector<Pair> all;
   add_part(
       all, computed, compared.exact, [&](std::size_t i) { return fmt::format("{}[{}]", part.name, i); },
@@ -299,7 +303,10 @@ std::string comparison_text(const Series& series, const Output& output, const No
                   : fmt::format("    got       {} numbers\n", call->result.size());
   }
   if (noted.compared.exact.empty()) return text;
-  return text + fmt::format("  result    {} of {}\n", output.record->results[0]->name, output.operation) +
+  const std::string& seen = noted.compared.seen;
+  return text +
+         fmt::format("  result    {} of {}{}\n", output.record->results[0]->name, output.operation,
+                     seen.empty() ? "" : " in " + seen) +
          lines_of(series.format(), pairs_of_law(output, noted.compared));
 }
 

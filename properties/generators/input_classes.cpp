@@ -369,7 +369,8 @@ const std::vector<InputClass>& classes_of(Kind kind) {
 }
 
 bool requires_class(const Field& field, const InputClass& c) {
-  return field.reach != Reach::any && (c.reach == Reach::limited || c.reach == field.reach);
+  return field.reach != Reach::any && (c.reach == Reach::limited || c.reach == field.reach) &&
+         !(field.without >> (&c - classes_of(field.kind).data()) & 1);
 }
 
 template <class S>

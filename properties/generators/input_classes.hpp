@@ -19,6 +19,7 @@ struct InputClass {
 
 /// The classes of a kind, empty for a kind without classes. Bit i of a mask stands for entry i.
 const std::vector<InputClass>& classes_of(Kind kind);
+/// Whether inputs of the field must reach the class, one of classes_of(field.kind).
 bool requires_class(const Field& field, const InputClass& c);
 
 /// The mask of the classes that contain x. `earlier` is the previous group of the same kind, or empty.

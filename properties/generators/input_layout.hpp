@@ -2,6 +2,7 @@
 // The layout of a property's input: groups of numbers. The kind of a group determines how its numbers are
 // generated, mutated, shrunk and counted.
 
+#include <cstdint>
 #include <string>
 
 namespace liecheck::properties {
@@ -40,6 +41,7 @@ struct Field {
   int size;
   std::string unit;
   Reach reach = Reach::limited;
+  std::uint32_t without = 0;  ///< bit i: its inputs are in no case of class i (input_classes.hpp)
 };
 
 }  // namespace liecheck::properties

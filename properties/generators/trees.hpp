@@ -1,6 +1,7 @@
 #pragma once
-// Random trees with every joint type, as lists of numbers, valid by construction: mostly of up to five bodies,
-// one in 300 of 6 to 40 bodies, because the time of some laws grows with the third power of their number.
+// Random trees, as lists of numbers, valid by construction: mostly of up to five bodies. Of trees with every joint type
+// one in 300 has 6 to 40 bodies, because the time of some laws grows with the third power of their number. Trees for a
+// subject that takes some types only have these, and one in twelve has 8 to 20 bodies, half of those up to 12 deep.
 
 #include <generators/rotations.hpp>
 #include <generators/tree_layout.hpp>
@@ -41,6 +42,21 @@ inline int many_joints(Source& source) {
   return kind < 7   ? source.between(6, 10)
          : kind < 9 ? source.between(11, 20)
                     : source.between(21, most_joints);
+}
+
+/// The parent of joint i in a large tree of some joint types. In shape 0 and 1 the first twelve are a chain; in shape 2
+/// each is near the last.
+inline int deep_parent(Source& source, int shape, int i) {
+  if (shape < 2 && i < 12) return i - 1;
+  return source.between(shape == 2 && i > 3 ? i - 3 : -1, i - 1);
+}
+/// One of the kinds of joints in the set.
+inline oracles::JointKind kind_in(Source& source, const oracles::JointSet& set) {
+  std::array<oracles::JointKind, oracles::joint_kinds> kinds{};
+  std::uint64_t n = 0;
+  for (int k = 0; k < oracles::joint_kinds; ++k)
+    if (const auto kind = static_cast<oracles::JointKind>(k); set.has(kind)) kinds[n++] = kind;
+  return kinds[source.below(n)];
 }
 
 /// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k, as xx xy yy xz yz zz.
@@ -152,14 +168,16 @@ void random_wrench(Source& source, int joints, S* to) {
   tree_detail::put(to + 4, vector3<S>(source, tree_detail::reach));
 }
 
-/// A tree and a state. With `floating` the first joint is a free-flyer and the only child of the world.
+/// A tree and a state. With `floating` the first joint is a free-flyer and the only child of the world. What the subject
+/// takes has a kind of joint, and a free-flyer if `floating`.
 template <class S>
-std::vector<S> random_tree(Source& source, bool floating) {
+std::vector<S> random_tree(Source& source, bool floating, const oracles::JointSet& taken = {}) {
   using oracles::JointKind;
   using std::ldexp;
   using tree_detail::put;
-  const bool large = source.chance(1, 300);
-  const int joints = large                 ? tree_detail::many_joints(source)
+  const bool every = taken.everything(), large = source.chance(1, every ? 300 : 12);
+  const int joints = large && every        ? tree_detail::many_joints(source)
+                     : large               ? source.between(8, 20)
                      : source.chance(1, 8) ? tree_slots
                                            : source.between(1, tree_slots);
   const TreeLayout at = TreeLayout::of_joints(joints);
@@ -175,19 +193,22 @@ std::vector<S> random_tree(Source& source, bool floating) {
     tree_detail::clear_joint(at, x, i);
     if (i >= joints) continue;
     S* slot = &number(at.slot(i));
-    int parent = shape == 0   ? i - 1
-                 : shape == 1 ? (i > 0 ? 0 : -1)
-                 : shape == 2 ? -1
-                              : source.between(-1, i - 1);
+    int parent = large && !every ? tree_detail::deep_parent(source, shape, i)
+                 : shape == 0    ? i - 1
+                 : shape == 1    ? (i > 0 ? 0 : -1)
+                 : shape == 2    ? -1
+                                 : source.between(-1, i - 1);
     if (floating && i > 0) parent = std::max(parent, 0);
     number(at.parent(i)) = S(parent);
     // Most joints of a large tree have one coordinate, as those of robots.
-    auto kind = static_cast<JointKind>(source.below(large && source.chance(3, 4) ? 3 : 8));
-    if (i == 0 && (floating || source.chance(1, 4))) kind = JointKind::free_flyer;
+    auto kind = every ? static_cast<JointKind>(source.below(large && source.chance(3, 4) ? 3 : 8))
+                      : tree_detail::kind_in(source, taken);
+    if (i == 0 && (floating || source.chance(1, 4)) && taken.has(JointKind::free_flyer))
+      kind = JointKind::free_flyer;
     int primary = -1;
     const bool simple =
         kind == JointKind::revolute || kind == JointKind::prismatic || kind == JointKind::helical;
-    if (simple && source.chance(1, 3))
+    if (simple && taken.mimics() && source.chance(1, 3))
       for (int k = 0; k < i; ++k) {
         const auto other = static_cast<JointKind>(static_cast<int>(number(at.kind(k))));
         if (number(at.primary(k)) < S(0) && velocity_size(other) == 1) primary = k;
@@ -207,7 +228,7 @@ std::vector<S> random_tree(Source& source, bool floating) {
     if (ratio && source.chance(1, 4)) scale = S(ldexp(S(1), source.chance(1, 2) ? ratio : -ratio));
     const S mass = (S(1) + source.unit<S>()) * scale;
     number(at.mass(i)) = mass;
-    if (source.chance(1, 2) && primary < 0)
+    if (source.chance(1, 2) && primary < 0 && taken.armatures())
       slot[TreeSlot::armature] = mass * binade_uniform<S>(source, -8, 2);
     put(slot + TreeSlot::c, vector3<S>(source, 2));
     put(slot + TreeSlot::I, tree_detail::inertia<S>(source, mass, slot[TreeSlot::armature] > S(0)));

@@ -102,8 +102,8 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
       for (const auto& s : all) {
         if (s->property != property || (!c.scalars.empty() && !std::ranges::count(c.scalars, s->scalar)))
           continue;
-        if (s->robot != "none" && is_tree_law(property)) continue;  // the case contains its tree
-        if (s->robot != "none")
+        if (s->on_robot && is_tree_law(property)) continue;  // the case contains its tree
+        if (s->on_robot)
           throw std::invalid_argument(fmt::format(
               "{}: property {} depends on the robot: no input fits every robot", c.place(), property));
         task.series.push_back(s.get());

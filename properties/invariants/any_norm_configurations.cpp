@@ -74,8 +74,9 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations> {
     const auto exact = oracles::difference(x0, x1);
     const std::size_t band = band_of_difference(r.scalar(), x0, x1, exact);
     if (o[op::difference_any_norm])
-      record_log(r, {op::difference_any_norm[block::rotation_vector], op::difference_any_norm[block::linear]},
-                 band, o[op::difference_any_norm](q0, q1), exact, Side::either, exact.separation);
+      properties::record_difference(
+          r, {op::difference_any_norm[block::rotation_vector], op::difference_any_norm[block::linear]}, band,
+          o[op::difference_any_norm](q0, q1), exact, x0, x1);
     if (!o[op::d_difference_any_norm]) return;
     const Mat<double, 6> J = o[op::d_difference_any_norm](q0, q1);
     // The antisymmetric part of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
@@ -85,7 +86,7 @@ class AnyNormConfigurations final : public Law<AnyNormConfigurations> {
                .value();
     auto inverse = oracles::right_jacobian_se3_inverse(at);
     inverse.resolved = inverse.resolved && exact.resolved;
-    record_jacobian6(r, jacobian_outputs(op::d_difference_any_norm), band, J, inverse, Real(0), false);
+    record_by_difference(r, jacobian_outputs(op::d_difference_any_norm), band, J, inverse, x0, x1);
   }
 };
 

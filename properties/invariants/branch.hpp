@@ -6,6 +6,7 @@
 #include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
 #include <oracles/exp.hpp>
+#include <oracles/integrate.hpp>
 
 namespace liecheck::properties {
 
@@ -61,16 +62,30 @@ oracles::LogValue<T> at_side_of(const oracles::Scalar& scalar, const oracles::Ve
   return other;
 }
 
+/// The least denominators of the blocks of a logarithm.
+template <class T>
+struct LogScales {
+  T linear = T(0), angular = T(0);
+};
+/// Those of the difference of two poses. Ordinary code takes the logarithm of the product T0^-1 T1, which costs eps of
+/// the stored numbers: Q0* Q1 errs by eps, and R0^T p1 - R0^T p0 by eps max(||p0||, ||p1||).
+template <class T>
+LogScales<T> difference_scales(const Recorder& r, const Output& output, const T& separation, const T& p0,
+                               const T& p1) {
+  if (!r.ordinary(output)) return {separation, T(0)};
+  return {oracles::larger(separation, oracles::larger(p0, p1)), T(1)};
+}
+
 /// Records the errors of a computed (rho, phi). The first of `outputs` is the rotation vector; the second, if
 /// there is one, is rho. If `branches` is false, a vector on another branch is an ordinary error.
 template <class T>
 void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
                 const Vec<double, 6>& computed, const oracles::LogValue<T>& value, Side side,
-                const T& separation = T(0), bool branches = true) {
+                const LogScales<T>& scales = {}, bool branches = true) {
   judged_value(r, outputs, band, computed, value.resolved, [&] {
     const auto xi = oracles::exact_vector<6, T>(computed);
     const auto exact = side == Side::either ? at_side_of(r.scalar(), tail3(xi), value) : value;
-    const auto error = oracles::log_error(r.scalar(), xi, exact, separation);
+    const auto error = oracles::log_error(r.scalar(), xi, exact, scales.linear, scales.angular);
     const bool other = branches && on_other_branch(r.scalar(), tail3(xi), exact.phi, error.angular);
     for (const Output& o : outputs) {
       if (other)
@@ -79,6 +94,26 @@ void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t 
         r.record(o, band, &o == outputs.begin() ? error.angular : error.linear);
     }
   });
+}
+
+/// Records the errors of a computed difference of two configurations.
+template <class T>
+void record_difference(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
+                       const Vec<double, 6>& computed, const oracles::DifferenceValue<T>& value,
+                       const oracles::Vec7<T>& q0, const oracles::Vec7<T>& q1, bool branches = true) {
+  using namespace oracles;
+  record_log(r, outputs, band, computed, value, Side::either,
+             difference_scales(r, *outputs.begin(), value.separation, norm(head3(q0)), norm(head3(q1))),
+             branches);
+}
+/// Records the blocks of a computed derivative of difference.
+template <class T>
+void record_by_difference(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<double, 6>& J,
+                          const oracles::Jacobian6Value<T>& exact, const oracles::Vec7<T>& q0,
+                          const oracles::Vec7<T>& q1) {
+  using namespace oracles;
+  record_jacobian6(r, outputs, band, J, exact, larger(norm(head3(q0)), norm(head3(q1))),
+                   r.ordinary(outputs[1]));
 }
 
 }  // namespace liecheck::properties

@@ -182,10 +182,11 @@ consteval TwoOutputs linear_angular(const Operation& o) {
 }
 
 /// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block
-/// must be zero. Both diagonal blocks have the same exact value.
+/// must be zero. Both diagonal blocks have the same exact value. If `by_rho`, as beyond pi, the denominator of the coupling
+/// block is at least rho min(1, ||J||).
 template <class T>
 void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<double, 6>& J,
-                      const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
+                      const oracles::Jacobian6Value<T>& exact, const T& rho, bool by_rho,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {outputs[0], outputs[1]}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);
@@ -194,7 +195,7 @@ void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, 
     if (!J.block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
     r.record(outputs[0], band, error, kappa_rotation);
     T scale(0);
-    if (beyond) {
+    if (by_rho) {
       const T size = oracles::norm(exact.J);
       scale = rho * oracles::smaller(size, T(1));
     }

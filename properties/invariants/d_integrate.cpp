@@ -79,7 +79,7 @@ class DIntegrate final : public Law<DIntegrate> {
     const auto record = [&](const auto& operation, const TwoOutputs& outputs, bool arg1) {
       if (!operation) return;
       const Mat<double, 6> computed = operation(q0, q1);
-      record_jacobian6(r, outputs, band, computed, of_difference(arg1, computed), Real(0), false);
+      record_by_difference(r, outputs, band, computed, of_difference(arg1, computed), x0, x1);
     };
     record(o[op::d_difference_arg0], jacobian_outputs(op::d_difference_arg0), false);
     record(o[op::d_difference_arg1], jacobian_outputs(op::d_difference_arg1), true);

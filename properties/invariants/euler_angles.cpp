@@ -3,6 +3,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <numeric>
 #include <oracles/orientations.hpp>
 
 namespace liecheck::properties {
@@ -26,7 +27,7 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
 
   template <class S>
   std::vector<S> draw(Source& source) const {
-    const int number = static_cast<int>(source.below(24));
+    const int number = orders_[source.below(orders_.size())];
     Vec<S, 3> angles;
     for (int i = 0; i < 3; ++i) angles[i] = angle_of<S>(source);
     const Vec<S, 4> Q =
@@ -34,6 +35,13 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     std::vector<S> x{S(number)};
     append(x, angles), append(x, Q), append(x, rotation_matrix<S>(Q));
     return x;
+  }
+  std::string draw_for(const Subject& subject) override {
+    std::string name = "orders";
+    orders_.clear();
+    for (int order = 0; order < 24; ++order)
+      if (subject.takes.orders >> order & 1) orders_.push_back(order), name += "_" + std::to_string(order);
+    return orders_.size() == 24 ? "" : name;
   }
   bool valid(const std::vector<double>& input) const override {
     return Property::valid(input) && input[0] == std::floor(input[0]) && input[0] >= 0 && input[0] < 24;
@@ -92,6 +100,11 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
   }
 
  private:
+  std::vector<int> orders_ = [] {
+    std::vector<int> all(24);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }();
   /// An adapter refuses the orders that its library lacks.
   template <class F>
   static void unless_refused(Recorder& r, const TwoOutputs& outputs, F measured) {

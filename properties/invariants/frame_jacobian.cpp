@@ -21,9 +21,9 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
   template <class T, class Case>
   void of(const Operations& subject, const Case& c, Recorder& r) const {
     const TreeOperations<double> o = subject.tree(described(c.stored));
-    const ExactFrame<T> frame(c);
+    const ExactFrame<T> frame(c, r.ordinary(op::frame_jacobian[block::linear]));
     const FrameSizes& sizes = frame.sizes;
-    for (const Seen view : every_view) {
+    for_each_view([&](Seen view) {
       const FrameViews<T> exact = seen_from(view, frame.motion);
       const MatX<double> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<double>();
       const MatX<double> dJ =
@@ -40,7 +40,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
              view == Seen::aligned ? exact.classical : exact.acceleration,
              {sizes.acceleration(view), sizes.al}, frame.resolved);
       }
-    }
+    });
   }
 
  private:

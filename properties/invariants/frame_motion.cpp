@@ -25,7 +25,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw> {
   template <class T, class Case>
   void of(const Operations& subject, const Case& c, Recorder& r) const {
     const TreeOperations<double> o = subject.tree(described(c.stored));
-    const ExactFrame<T> frame(c);
+    const ExactFrame<T> frame(c, r.ordinary(op::frame_velocity[block::linear]));
     const auto& f = frame.motion;
     const bool resolved = frame.resolved;
     const FrameSizes& sizes = frame.sizes;
@@ -37,7 +37,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw> {
       c.record(r, op::frame_pose[block::translation], VecX<double>(X.p), to_list(f.p), three, sizes.position,
                resolved);
     }
-    for (const Seen view : every_view) {
+    for_each_view([&](Seen view) {
       const FrameViews<T> exact = seen_from(view, f);
       const auto both = [&](const TwoOutputs& blocks, const Vec<double, 6>& computed,
                             const oracles::Vec6<T>& value, double size_linear, double size_angular) {
@@ -56,7 +56,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw> {
         both(linear_angular(op::frame_classical_acceleration),
              o[op::frame_classical_acceleration](c.q, c.v, c.a, view), exact.classical,
              sizes.acceleration(view), sizes.al);
-    }
+    });
   }
 };
 

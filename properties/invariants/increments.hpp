@@ -35,11 +35,13 @@ oracles::IntegrateValue<T> record_integrate(Recorder& r, const std::array<Output
   return exact;
 }
 
-/// Records how far Q1 is on the side of -Q0: max(0, -Q0 . Q1). Near 0 either sign is right, up to rounding.
+/// Records how far Q1 is on the side of -Q0: max(0, -Q0 . Q1). Near 0 either sign is right, up to rounding. Ordinary
+/// code may choose it in another way: that of the product Q0 exp(phi/2), w >= 0, or that of a conversion.
 template <class T>
 void record_sign(Recorder& r, const Output& output, std::size_t band, const Vec<double, 4>& Q0,
                  const Vec<double, 4>& Q1) {
   if (!oracles::all_finite(Q1)) return r.outcome(output, band, Outcome::not_finite);
+  if (r.ordinary(output)) return r.record(output, band, 0);
   T product(0);
   for (int i = 0; i < 4; ++i) product += oracles::exact<T>(Q0[i]) * oracles::exact<T>(Q1[i]);
   r.record(output, band, oracles::in_eps(r.scalar(), oracles::larger(T(-product), T(0))));

@@ -71,8 +71,8 @@ class IntegrateDifference final : public Law<IntegrateDifference> {
       const Vec<double, 6> v = o[op::difference](q0, q1);
       const auto exact = oracles::difference(x0, x1);
       const std::size_t band = band_of_difference(r.scalar(), x0, x1, exact);
-      record_log(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v, exact,
-                 Side::either, exact.separation);
+      record_difference(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v,
+                        exact, x0, x1);
       if (o[op::integrate] && (!all_finite(v) || !exact.resolved)) {
         without_value(r, op::integrate_of_difference, band, !all_finite(v), false);
       } else if (o[op::integrate]) {

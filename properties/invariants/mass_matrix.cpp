@@ -43,7 +43,9 @@ class MassMatrix final : public TreeLaw<MassMatrix> {
     const std::vector<T> stored = exact_list<T>(flat(M)),
                          transposed = exact_list<T>(flat(MatX<double>(M.transpose()))),
                          factor = oracles::positive_factor(exact, c.nv());
-    r.record(symmetric, 0, weighted_error(r.scalar(), transposed, stored, products(w), size));
+    // Ordinary code may compute M by columns, whose errors are those of their terms.
+    const T against = r.ordinary(symmetric) ? oracles::larger(size, T(terms)) : size;
+    r.record(symmetric, 0, weighted_error(r.scalar(), transposed, stored, products(w), against));
     if (factor.empty()) {  // a massless body: M is only positive semidefinite
       r.outcome(definite, 0, Outcome::ill_posed);
     } else {

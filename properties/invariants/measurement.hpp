@@ -60,6 +60,9 @@ class Recorder {
   virtual double limit(const Output&, std::size_t /*band*/) const {
     return std::numeric_limits<double>::infinity();
   }
+  /// Whether the output is judged as that of ordinary code: a correct form that is in wide use passes, although
+  /// liecheck's own form gives more. True under every profile but `ours` (docs/limits.md).
+  virtual bool ordinary(const Output&) const { return false; }
 
  private:
   const oracles::Scalar& scalar_;

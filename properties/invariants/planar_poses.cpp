@@ -84,10 +84,12 @@ class PlanarPoses final : public SlowLaw<PlanarPoses> {
     }
     if (o[op::se2_log])
       record_difference(r, {op::se2_log[block::angle], op::se2_log[block::linear]}, o[op::se2_log](q1),
-                        oracles::planar_difference({{Real(0), Real(0), Real(1), Real(0)}}, x1), Real(0));
+                        oracles::planar_difference({{Real(0), Real(0), Real(1), Real(0)}}, x1), {});
     if (o[op::se2_difference])
-      record_difference(r, {op::se2_difference[block::angle], op::se2_difference[block::linear]},
-                        o[op::se2_difference](q0, q1), oracles::planar_difference(x0, x1), apart(x1, x0));
+      record_difference(
+          r, {op::se2_difference[block::angle], op::se2_difference[block::linear]},
+          o[op::se2_difference](q0, q1), oracles::planar_difference(x0, x1),
+          difference_scales(r, op::se2_difference[block::angle], apart(x1, x0), size_of(x0), size_of(x1)));
   }
 
  private:
@@ -148,10 +150,10 @@ class PlanarPoses final : public SlowLaw<PlanarPoses> {
     });
   }
   static void record_difference(Recorder& r, const TwoOutputs& outputs, const Vec<double, 3>& computed,
-                                const oracles::LogResult& exact, const Real& scale) {
+                                const oracles::LogResult& exact, const LogScales<Real>& scales) {
     Vec<double, 6> xi;
     xi << computed[0], computed[1], 0, 0, 0, computed[2];
-    record_log(r, {outputs[0], outputs[1]}, band_of_log(r.scalar(), exact), xi, exact, Side::either, scale);
+    record_log(r, {outputs[0], outputs[1]}, band_of_log(r.scalar(), exact), xi, exact, Side::either, scales);
   }
 };
 

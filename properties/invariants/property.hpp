@@ -79,6 +79,9 @@ class Property {
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
+  /// Draws the inputs from what the subject takes. Called at most once, after prepare. Returns what they are drawn from,
+  /// without a '.', which is part of the address of a case; "" if the subject takes everything.
+  virtual std::string draw_for(const Subject&) { return ""; }
   /// Generates a valid input, numbers of the scalar, from random bits alone.
   virtual std::vector<double> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite, and each group is

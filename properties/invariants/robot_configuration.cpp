@@ -63,9 +63,9 @@ class RobotConfiguration final : public Law<RobotConfiguration, RobotStates> {
                           q.segment(s.q + 3, 4));
         const auto delta = oracles::difference(x0, x1);
         band = band_of_difference(r.scalar(), x0, x1, delta);
-        record_log(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
-                   band, properties::Vec<double, 6>(v.segment(s.v, 6)), delta, Side::either, delta.separation,
-                   false);
+        record_difference(r,
+                          {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
+                          band, properties::Vec<double, 6>(v.segment(s.v, 6)), delta, x0, x1, false);
       } else if (s.nq == 2) {
         // The exact (cos, sin) after a rotation by d, and the exact angle between both configurations.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
@@ -81,12 +81,14 @@ class RobotConfiguration final : public Law<RobotConfiguration, RobotStates> {
         const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
         const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));
         judged_value(r, {op::robot_difference[block::continuous]}, 0, v.segment(s.v, 1), true, [&] {
-          const double plus = scalar_error(r.scalar(), exact<Real>(v[s.v]), angle_between);
+          const Real least(r.ordinary(op::robot_difference[block::continuous]) ? 1 : 0);  // as of Q0* Q1
+          const double plus = scalar_error(r.scalar(), exact<Real>(v[s.v]), angle_between, least);
           const Real opposite_angle = -angle_between;
           const bool at_pi = c0 * s1 == s0 * c1 && angle_between != Real(0);
-          r.record(
-              op::robot_difference[block::continuous], 0,
-              at_pi ? std::min(plus, scalar_error(r.scalar(), exact<Real>(v[s.v]), opposite_angle)) : plus);
+          r.record(op::robot_difference[block::continuous], 0,
+                   at_pi
+                       ? std::min(plus, scalar_error(r.scalar(), exact<Real>(v[s.v]), opposite_angle, least))
+                       : plus);
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);

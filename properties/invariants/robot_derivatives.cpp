@@ -58,8 +58,8 @@ class RobotDerivatives final : public Law<RobotDerivatives, RobotStates> {
       left.resolved = left.resolved && exact.resolved;
       const Jacobian6Value<Real> right{transpose(left.J), transpose(left.C), left.resolved},
           minus{Real(-1) * left.J, Real(-1) * left.C, left.resolved};
-      record_jacobian6(r, by0, band, own(2), minus, Real(0), false);
-      record_jacobian6(r, by1, band, own(3), right, Real(0), false);
+      record_by_difference(r, by0, band, own(2), minus, x0, x1);
+      record_by_difference(r, by1, band, own(3), right, x0, x1);
     }
   }
 

@@ -76,7 +76,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance> {
   }
   bool exists(const Output& output) const override {
     const auto robot = this->users_tree();
-    return !robot || output.record != order.record || !has_mimic(robot->tree);
+    return TreeLaw::exists(output) && (!robot || output.record != order.record || !has_mimic(robot->tree));
   }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   /// Rotates the world frame by pi about x and moves it by 100 m along x. This rounds only the positions of

@@ -147,6 +147,11 @@ std::vector<Field> AnyTreeLaw::fields() const {
     const Reach shape = has_floating_base() ? any : Reach::limited;
     add("parents", Kind::parents, at_.slots, "1", shape);
     add("kinds", Kind::joints, 2 * at_.slots, "1", shape);
+    for (std::uint32_t k = 0; k < oracles::joint_kinds; ++k)
+      if (!taken_.has(static_cast<JointKind>(k))) all.back().without |= 1u << k;
+    using enum JointKind;
+    if (!taken_.mimics() || !(taken_.has(revolute) || taken_.has(prismatic) || taken_.has(helical)))
+      all.back().without |= 1u << oracles::joint_kinds;
     add("masses", Kind::masses, at_.slots, "kg", Reach::limited);
     add("gravity", Kind::vector, 3, "m/s^2", any);
   }
@@ -209,6 +214,15 @@ void AnyTreeLaw::prepare(const Robot& robot) {
   for (double x : r.numbers) fixed_.push_back(scalar().rounded(x));
 }
 
+std::string AnyTreeLaw::draw_for(const Subject& subject) {
+  if (robot_) return "";
+  taken_ = subject.takes.joints;
+  return taken_.everything() ? "" : taken_.text();
+}
+bool AnyTreeLaw::exists(const Output&) const {
+  return robot_ || (taken_.moves() && (!has_floating_base() || taken_.has(JointKind::free_flyer)));
+}
+
 template <class S>
 std::vector<S> AnyTreeLaw::state_of(const std::vector<S>& full) const {
   std::vector<S> x;
@@ -229,7 +243,7 @@ std::vector<double> AnyTreeLaw::full_of(const std::vector<double>& input) const 
 
 template <class S>
 std::vector<S> AnyTreeLaw::draw(Source& source) const {
-  if (!robot_) return random_tree<S>(source, has_floating_base());
+  if (!robot_) return random_tree<S>(source, has_floating_base(), taken_);
   std::vector<S> x = oracles::numbers_in<S>(fixed_);
   const StateReach far(source);
   for (int i = 0; i < at_.slots; ++i)
@@ -314,6 +328,12 @@ oracles::TreeSizes<double> CaseAt<T>::sizes(const std::vector<double>& v, const 
   return {stored.tree, stored.q, v, a, pushed ? stored.wrench : std::vector<oracles::WrenchOf<double>>()};
 }
 template <class T>
+void CaseAt<T>::note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact) {
+  if constexpr (std::is_same_v<T, oracles::Real>)
+    if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
+      w->all.push_back({computed, exact});
+}
+template <class T>
 bool CaseAt<T>::resolved(bool direction) const {
   if constexpr (oracles::BallNumber<T>)
     return true;
@@ -324,17 +344,18 @@ template <class T>
 void CaseAt<T>::record(Recorder& r, const Output& output, const VecX<double>& computed,
                        const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
                        bool confirmed) const {
-  if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
+  if (!oracles::all_finite(computed)) {
+    if constexpr (!oracles::BallNumber<T>) note(output, exact_list<T>(computed), exact_value);
+    return r.outcome(output, 0, Outcome::not_finite);
+  }
   record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
 }
 template <class T>
 void CaseAt<T>::record(Recorder& r, const Output& output, const std::vector<T>& computed,
                        const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
                        bool confirmed) const {
+  note(output, computed, exact_value);
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
-  if constexpr (std::is_same_v<T, oracles::Real>)
-    if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
-      w->computed = computed, w->exact = exact_value;
   const T size = oracles::larger(weighted_norm(exact_value, w), T(r.scalar().least_denominator()));
   double kappa = terms / approximate(size);
   const auto known = [&] { return kappa; };

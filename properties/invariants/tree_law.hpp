@@ -119,6 +119,8 @@ struct CaseAt {
               bool confirmed) const;
 
  private:
+  /// Tells what is compared to the thread's witness, if it has one for the output.
+  static void note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact);
   mutable std::shared_ptr<const oracles::TreePoses<T>> poses_;
 };
 
@@ -142,6 +144,7 @@ class AnyTreeLaw : public Property {
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override;
+  std::string draw_for(const Subject& subject) override;
   template <class S>
   std::vector<S> draw(Source& source) const;
   bool valid(const std::vector<double>& input) const override;
@@ -153,6 +156,8 @@ class AnyTreeLaw : public Property {
   /// Whether the subject offers the operation on a tree of one joint or, if the user gave a robot, on a URDF.
   /// Before prepare: whether it does on either.
   bool has(const Subject& subject, const Operation& operation) const override;
+  /// Whether there are trees of the joints that the subject takes.
+  bool exists(const Output&) const override;
   /// The tree of the user's robot, at its neutral configuration; null without one.
   std::unique_ptr<const TreeCase<double>> users_tree() const;
   /// All numbers of a case. If the user gave a robot, the input holds only its state.
@@ -165,6 +170,7 @@ class AnyTreeLaw : public Property {
   std::vector<S> state_of(const std::vector<S>& full) const;
 
   bool robot_ = false;
+  oracles::JointSet taken_;  ///< of random trees
   TreeLayout at_{tree_slots};
   std::vector<double> fixed_;
 };

@@ -8,8 +8,11 @@
 namespace liecheck::properties {
 
 struct Witness {
+  struct Compared {
+    std::vector<oracles::Real> computed, exact;
+  };
   std::string_view operation, block;  ///< of the output to note
-  std::vector<oracles::Real> computed, exact;
+  std::vector<Compared> all;          ///< in the order of the measurements: one for each reference frame
 
   /// The one of this thread, or null.
   static Witness*& current() {

@@ -90,14 +90,14 @@ struct TwistError {
   double linear = 0, angular = 0;
 };
 /// The errors of the two blocks of a log or difference. At theta = pi two values are exact, and the one
-/// nearer to the computed rotation vector is used. The linear block's denominator is at least linear_scale,
-/// which is ||p1 - p0|| for difference.
+/// nearer to the computed rotation vector is used. The blocks' denominators are at least the scales, of which
+/// linear_scale is ||p1 - p0|| for difference.
 template <class T>
 TwistError log_error(const Scalar& s, const Vec6<T>& computed, const LogValue<T>& exact,
-                     const T& linear_scale = T(0)) {
+                     const T& linear_scale = T(0), const T& angular_scale = T(0)) {
   const auto against = [&](const Vec6<T>& value) -> TwistError {
     return {vector_error(s, head3(computed), head3(value), linear_scale),
-            vector_error(s, tail3(computed), tail3(value))};
+            vector_error(s, tail3(computed), tail3(value), angular_scale)};
   };
   const TwistError first = against(exact.value());
   if (!exact.at_pi) return first;

@@ -19,12 +19,11 @@
 #include <limits>
 #include <memory>
 #include <oracles/homogeneous.hpp>
+#include <oracles/joint_set.hpp>
 #include <oracles/spatial.hpp>
 #include <vector>
 
 namespace liecheck::oracles {
-
-enum class JointKind { revolute, continuous, prismatic, helical, spherical, planar, translation, free_flyer };
 
 /// The number of a joint's entries in q, and in v. A mimic has none.
 constexpr int configuration_size(JointKind k) {

@@ -1,8 +1,9 @@
 #pragma once
-// Checks of a subject's calls that need no oracle. Each call is made twice, with copies of its arguments:
-// both results must have the same bits, and the copies must keep theirs. The memory of a result is filled
-// with another pattern before each call. A number that keeps both patterns was not written. All checked calls run in the
-// rounding mode and with the treatment of subnormals that mode_of_calls says (support/float_environment.hpp).
+// Checks of a subject's calls that need no oracle. Each call is made twice, with copies of its arguments: both results
+// must have the same bits, except that one NaN is as good as another, and the copies must keep theirs. The memory of a
+// result is filled with another pattern before each call. A number that keeps both patterns was not written. All checked
+// calls run in the rounding mode and with the treatment of subnormals that mode_of_calls says
+// (support/float_environment.hpp).
 //
 // A function that returns its result constructs it in that memory if it has a fixed size (rounded_calls.cpp). The last check
 // cannot see the memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a

@@ -6,6 +6,7 @@
 #include <exception>
 #include <subjects/call_log.hpp>
 #include <support/float_environment.hpp>
+#include <support/same_numbers.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -67,7 +68,7 @@ void call_checked(CallLog& log, const NumberFunction& f, std::span<std::byte> in
   if (changed) found(Outcome::environment_changed);
   if (unwritten)
     found(Outcome::output_unwritten);
-  else if (!repeated || !same(out, second.all()))
+  else if (!repeated || !f.scalar->with([&]<class S>() { return same_numbers_in<S>(out, second.all()); }))
     found(Outcome::not_repeatable);
   if (!same(in, before.all())) found(Outcome::argument_written);
   if (log.keeps_results)

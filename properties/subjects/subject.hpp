@@ -6,6 +6,7 @@
 #include <operations/operations.hpp>
 #include <oracles/scalar.hpp>
 #include <string>
+#include <subjects/taken.hpp>
 #include <vector>
 
 namespace liecheck::properties {
@@ -36,6 +37,7 @@ struct Subject {
   std::string adapter = {};  ///< how the user gave it with --adapter, or "" for one of the program
   const Scalar* scalar = nullptr;
   Operations operations = {};
+  Taken takes = {};
 };
 
 /// Every subject in this scalar, in alphabetical order.

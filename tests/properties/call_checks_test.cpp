@@ -52,6 +52,13 @@ const Registered<double> subjects_with_bad_calls[] = {
                  Q.head<3>() = good()[op::exp3_quaternion](phi).head<3>();
                  return Q;
                }),
+    registered("call:nan", op::exp6,
+               [](const V6& xi) {  // NaN, in every second call with its sign bit
+                 static std::atomic<int> calls{0};
+                 auto T = good()[op::exp6](xi);
+                 T.p[1] = std::copysign(std::numeric_limits<double>::quiet_NaN(), ++calls % 2 ? 1.0 : -1.0);
+                 return T;
+               }),
     registered("call:once", op::exp6,
                [](const V6& xi) {
                  static std::atomic<int> calls{0};
@@ -123,6 +130,12 @@ TEST(CallChecks, ACallThatIsNotRepeatableFailsAndNeverMakesTheOraclesDisagree) {
   EXPECT_TRUE(r.series.at(0).tally.disagreed.empty());
   EXPECT_GE(sum(r, op::exp6, &Row::not_repeatable), 3u * 275u);  // three blocks, one case in four
   EXPECT_EQ(sum(r, op::exp6, &Row::failed), sum(r, op::exp6, &Row::not_repeatable));
+}
+
+TEST(CallChecks, ANaNIsTheSameAsOneOfTheOtherSign) {
+  const CampaignResult r = run("call:nan", "exp_oracle");
+  EXPECT_EQ(sum(r, op::exp6, &Row::not_repeatable), 0u);
+  EXPECT_GE(sum(r, op::exp6, &Row::not_finite), 40u);
 }
 
 TEST(CallChecks, AnArgumentThatIsWrittenToFails) {

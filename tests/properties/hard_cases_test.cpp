@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <campaign/robots.hpp>
 #include <cmath>
 #include <fstream>
@@ -41,6 +42,11 @@ const Registered<double> planted[] = {
                }),
     registered("verdict_not_finite", op::log3_quaternion,
                [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }),
+    registered("verdict_flickers", op::log3_quaternion,
+               [](const O::V4& Q) -> O::V3 {
+                 static std::atomic<int> calls{0};
+                 return own_operations()[op::log3_quaternion](Q.normalized()) * (1 + ++calls * 1e-3);
+               }),
     registered("verdict_refused", op::log3_quaternion,
                [](const O::V4&) -> O::V3 { throw std::range_error("no logarithms today"); }),
     registered("verdict_exp6_refused", [](O& o) {
@@ -113,6 +119,13 @@ TEST(HardCases, WhatIsNoRotationAndWhatOverflowsIsJudgedByTheProfileOursOnly) {
   EXPECT_EQ(cells("verdict_not_finite", unit_quaternion, Profile::careful).at(0).verdict,
             Verdict::not_finite);
   EXPECT_TRUE(cells("verdict_refused", unit_quaternion, Profile::careful).at(0).failed);
+  EXPECT_EQ(cells("verdict_flickers", off_unit, Profile::careful).size(), 0u);
+  // A NaN is excused only where the input is far from a rotation.
+  const char* const slightly_off = "a | log_oracle | Q = (1 + 1e-7)*unit(1, 2, 3, 4) | c | r | o";
+  EXPECT_EQ(cells("verdict_not_finite", off_unit, Profile::careful).size(), 0u);
+  EXPECT_TRUE(cells("verdict_not_finite", slightly_off, Profile::careful).at(0).failed);
+  EXPECT_EQ(cells("verdict_inaccurate", slightly_off, Profile::careful).size(), 0u);
+  EXPECT_TRUE(cells("verdict_flickers", unit_quaternion, Profile::careful).at(0).failed);
 }
 
 TEST(HardCases, AreAllStableOrRightlyRefusedByLiecheck) {

@@ -1,0 +1,15 @@
+#pragma once
+// What a subject takes where the inputs of a law differ in kind: they are drawn from it. By default everything.
+
+#include <cstdint>
+#include <oracles/joint_set.hpp>
+
+namespace liecheck::properties {
+
+struct Taken {
+  static constexpr std::uint32_t every_order = (1u << 24) - 1;
+  oracles::JointSet joints;            ///< of its trees
+  std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
+};
+
+}  // namespace liecheck::properties
