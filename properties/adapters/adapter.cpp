@@ -17,6 +17,7 @@ std::string in_words(Status status, const std::string& why) {
     case Status::printed:
       return "the call writes to standard output";
     case Status::not_repeatable:
+    case Status::other_choice:
     case Status::failed:
       break;
   }
@@ -31,6 +32,7 @@ Outcome outcome_of(Status s) {
                              Outcome::environment_changed,
                              Outcome::printed,
                              Outcome::not_repeatable,
+                             Outcome::wrong_branch,
                              Outcome::crashed};
   return all[static_cast<std::size_t>(s)];
 }

@@ -47,6 +47,7 @@ enum class Status : unsigned char {
   environment_changed,
   printed,
   not_repeatable,
+  other_choice,  ///< of one input: its result breaks a choice that the adapter states
   failed  ///< what call() returns says how
 };
 

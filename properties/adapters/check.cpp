@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <adapters/chosen.hpp>
 #include <adapters/converted.hpp>
 #include <adapters/sizes.hpp>
 #include <adapters/tree_check.hpp>
 #include <algorithm>
-#include <conventions/probe.hpp>
+#include <conventions/choices.hpp>
+#include <limits>
 #include <support/same_numbers.hpp>
 
 namespace liecheck::properties::adapters {
@@ -49,28 +51,56 @@ std::string asked(Adapter& adapter, const OperationSizes& o,
   return e.what();
 }
 
+/// Adds the answer at an argument at which libraries choose; one that breaks a stated choice is a complaint.
+template <class S>
+void choose(Adapter& adapter, const OperationSizes& o, const conventions::Numbers& argument,
+            std::vector<conventions::Answer>& answers, std::string& complaint) try {
+  const std::vector<S> inputs(argument.begin(), argument.end());
+  std::vector<S> results(o.results);
+  std::vector<Status> status(1);
+  const std::string why = adapter.call(
+      {o, sizeof(S) == 8, 1, std::as_bytes(std::span(inputs)), std::as_writable_bytes(std::span(results)), status});
+  if (status[0] == Status::other_choice && complaint.empty())
+    complaint = fmt::format("{}, at {:.6g}", why, fmt::join(argument, " "));
+  if (status[0] == Status::done) answers.push_back({argument, {results.begin(), results.end()}});
+} catch (const AdapterFailed& e) {
+  if (complaint.empty()) complaint = e.what();
+}
+
 template <class S>
 std::vector<conventions::Finding> check_in(const char* scalar, Adapter& adapter,
                                            std::vector<CheckedOperation>& to) {
-  std::vector<conventions::Probed> probed;
+  std::vector<conventions::Probed> probed, choosing;
   for (const OperationSizes& o : operation_sizes()) {
     if (!adapter.description().offered.contains({std::string(o.operation), scalar})) continue;
     conventions::Probed p{&conventions::operation_named(o.operation), {}};
     to.push_back({std::string(o.operation), scalar,
                   asked<S>(adapter, o, conventions::probe_arguments<S>(*p.operation), p.answers)});
     if (!p.answers.empty()) probed.push_back(std::move(p));
+    conventions::Probed c{&conventions::operation_named(o.operation), {}};
+    std::string& complaint = to.back().complaint;
+    for (const auto& x : conventions::choice_arguments<S>(*c.operation)) choose<S>(adapter, o, x, c.answers, complaint);
+    if (!c.answers.empty() && complaint.empty()) choosing.push_back(std::move(c));
   }
-  const auto findings = conventions::explain(probed);
+  auto findings = conventions::explain(probed);
   for (const conventions::Finding& f : findings)
     for (CheckedOperation& o : to)
       if (o.scalar == scalar && std::ranges::count(f.operations, o.operation) > 0)
         o.complaint = f.named ? "differs in a convention" : "is wrong";
+  std::erase_if(choosing, [&](const conventions::Probed& c) {
+    return std::ranges::any_of(findings, [&](const conventions::Finding& f) {
+      return std::ranges::count(f.operations, c.operation->name) > 0;
+    });
+  });
+  const auto choices = conventions::choices_made(choosing, adapter.description().conventions,
+                                                 std::numeric_limits<S>::epsilon());
+  findings.insert(findings.end(), choices.begin(), choices.end());
   return findings;
 }
 
 /// Whether two findings, in two scalars, are the same.
 bool same(const conventions::Finding& a, const conventions::Finding& b) {
-  return a.named == b.named && (a.named ? a.sentence == b.sentence : a.operations == b.operations);
+  return a.named == b.named && a.choice == b.choice && (a.named || a.choice ? a.sentence == b.sentence : a.operations == b.operations);
 }
 
 Checked check_as_it_is(Adapter& adapter) {
@@ -98,14 +128,18 @@ Checked check_as_it_is(Adapter& adapter) {
 /// check_as_it_is(), or the statement of the adapter without which its results are right.
 Checked check_poses(Adapter& adapter) {
   Checked all = check_as_it_is(adapter);
-  const auto* const converted = dynamic_cast<const Converted*>(&adapter);
-  if (all.findings.empty() || !converted) return all;
+  const auto* const chosen = dynamic_cast<const Chosen*>(&adapter);
+  const auto* const converted = chosen ? dynamic_cast<const Converted*>(&chosen->own()) : nullptr;
+  const auto right = [](const Checked& c) {
+    return std::ranges::all_of(c.findings, &conventions::Finding::choice);
+  };
+  if (right(all) || !converted) return all;
   const conventions::Statements& stated = adapter.description().conventions;
   for (const auto& [name, value] : stated) {
     conventions::Statements others = stated;
     others.erase(name);
     Converted without = converted->with(others);
-    if (check_as_it_is(without).findings.empty())
+    if (right(check_as_it_is(without)))
       all.findings = {
           {true,
            fmt::format("the adapter states \"{}\": \"{}\", but its results are right without that", name,

@@ -3,6 +3,7 @@
 #include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
+#include <adapters/chosen.hpp>
 #include <adapters/converted.hpp>
 #include <adapters/exchange.hpp>
 #include <adapters/noise.hpp>
@@ -154,7 +155,7 @@ std::unique_ptr<Adapter> as_called(std::unique_ptr<Adapter> own) {
   own = std::make_unique<Printable>(std::move(own));
   const conventions::Statements stated = own->description().conventions;
   if (stated.empty()) return own;
-  return std::make_unique<Converted>(std::move(own), stated);
+  return std::make_unique<Chosen>(std::make_unique<Converted>(std::move(own), stated));
 }
 
 /// The orders of Euler angles that the adapter does not refuse in all of its operations; all if a call has no answer.
@@ -284,6 +285,16 @@ void exchange_adapter(const std::string& name, const std::string& text) {
 std::string register_adapter(const liecheck_adapter& adapter) {
   return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), "", true,
                      [&] { return linked(adapter); });
+}
+
+void withhold(const std::string& text, const std::vector<std::string>& operations) {
+  const auto source = std::ranges::find_if(sources, [&](const auto& s) { return s && s->text == text; });
+  if (source == sources.end()) throw std::invalid_argument(fmt::format("'{}' is no adapter here", text));
+  Description& d = (*source)->description;
+  std::erase_if(d.offered, [&](const auto& o) { return std::ranges::count(operations, o.first) > 0; });
+  forget_subject(d.name);
+  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    register_one((*source)->number, text, d, *scalar);
 }
 
 const Description* description_of(const std::string& text) {

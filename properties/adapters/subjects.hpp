@@ -31,6 +31,9 @@ std::string register_adapter(const liecheck_adapter& adapter);
 
 inline constexpr int most_adapters = 16;
 
+/// The subject of this adapter has these operations no more. No series of it may have begun.
+void withhold(const std::string& text, const std::vector<std::string>& operations);
+
 /// What the adapter that was registered with this text says of itself; null if there is none.
 const Description* description_of(const std::string& text);
 

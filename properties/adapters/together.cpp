@@ -37,8 +37,9 @@ bool called_at_once(std::span<Question* const> calls) try {
     std::ranges::copy(static_cast<const Call&>(*calls[i]).batch.inputs, &inputs[i * in]);
   const std::string why = first.adapter.call(
       {first.batch.operation, first.batch.is_double, n, inputs, results, status, {}, true});
-  if (std::ranges::any_of(status,
-                          [](Status s) { return s > Status::refused && s != Status::not_repeatable; }))
+  if (std::ranges::any_of(status, [](Status s) {
+        return s > Status::refused && s != Status::not_repeatable && s != Status::other_choice;
+      }))
     return false;
   for (std::size_t i = 0; i < n; ++i) {
     Call& call = static_cast<Call&>(*calls[i]);

@@ -78,11 +78,6 @@ void print_coverage(const CampaignResult& r) {
   for (const auto& [property, l] : least) say("{:<23} {:<19} {}\n", property, l.series, l.line);
 }
 
-/// What a replay of its cases needs after the ID.
-std::string flags_of(const Series& series, const Robot& robot) {
-  return (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
-}
-
 /// Prints a line with the largest error of a series as a multiple of the budget.
 void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -134,7 +129,7 @@ void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& faile
       const Row& row = tally.rows.at({static_cast<int>(c.output), static_cast<int>(c.band)});
       say("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
           c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
-          series->scalar, series->id(r.options.seed, row.worst_index).text(), flags_of(*series, r.robot));
+          series->scalar, series->id(r.options.seed, row.worst_index).text(), replay_flags(*series, r.robot));
       before = "";
     }
   for (const Expectation& e : expectations_of(r)) say("{}{}\n", std::exchange(before, ""), text_of(e));
@@ -152,7 +147,7 @@ void print_not_measured(const CampaignResult& r, bool all) {
     for (const auto& [cell, row] : tally.rows)
       if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
         say("  for example  liecheck replay {}{}\n", series->id(r.options.seed, row.worst_index).text(),
-            flags_of(*series, r.robot));
+            replay_flags(*series, r.robot));
         break;
       }
   }
@@ -256,8 +251,9 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   say("\n");
 }
 
-/// Prints the verdict, the findings and what was measured; if verbose, the details too. Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f) {
+/// Prints the verdict, the findings, how the adapters' conventions and choices differ, and what was measured; if verbose, the details too. Returns the verdict's exit code.
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f,
+                   const std::vector<std::string>& differences) {
   std::vector<FailedBlock> failed = failed_blocks(r);
   const std::vector<Finding> findings = findings_of(r, failed, hard_cases);
   std::set<std::string> subjects;
@@ -278,7 +274,8 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
         "--robot\n",
         name);
-  if (many > 0) say("\n");
+  for (const std::string& text : differences) fmt::print("\n{}\n", printable(text));
+  if (many > 0 || !differences.empty()) say("\n");
   if (f.verbose) print_details(r, hard_cases, f);
   print_oracles(r, f.verbose);
   print_measured(r, hard_cases);
@@ -303,11 +300,19 @@ int run(const CampaignFlags& f) {
   }
   const Robot robot = f.cases.robot.read();
   if (!f.badge.empty()) check_writable(f.badge);
+  std::vector<std::string> others, remarks;
+  for (const std::string& adapter : f.selection.adapters.adapters) {
+    if (f.no_probe) continue;
+    const Differences found = withhold_others(adapter, !f.store.first_shard());
+    others.insert(others.end(), found.conventions.begin(), found.conventions.end());
+    remarks.insert(remarks.end(), found.choices.begin(), found.choices.end());
+  }
   if (select(selection, robot).empty())
     throw std::invalid_argument(
-        "nothing to run: no selected subject offers a selected property in that scalar");
-  for (const std::string& adapter : f.selection.adapters.adapters)
-    if (!f.no_probe) check_conventions(adapter, !f.store.first_shard());
+        others.empty() ? "nothing to run: no selected subject offers a selected property in that scalar"
+                       : fmt::format("nothing is judged: {}. Change it in the adapter, state it, or judge the "
+                                     "library as it is with --no-probe",
+                                     fmt::join(others, "; ")));
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);
@@ -315,7 +320,9 @@ int run(const CampaignFlags& f) {
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
   auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
-  if (!without_trees(f).empty()) done->result.measured = false;
+  if (!without_trees(f).empty() || !others.empty()) done->result.measured = false;
+  for (std::string& text : others) text = "NOT JUDGED  " + text;
+  for (const std::string& text : remarks) others.push_back("remark  " + text);
   int code = incomplete;
   do_both(
       [&] {
@@ -324,7 +331,7 @@ int run(const CampaignFlags& f) {
       },
       [&] {
         print_counterexamples(done->counterexamples, f.all);
-        code = print_campaign(done->result, hard_cases, f);
+        code = print_campaign(done->result, hard_cases, f, others);
         print_how_to_resume(done->result, f.store);
       });
   return code;

@@ -86,18 +86,34 @@ std::vector<std::string> AdapterFlags::start() const {
   return names;
 }
 
-void check_conventions(const std::string& text, bool quiet) try {
-  std::vector<std::string> named, unexplained;
-  for (const conventions::Finding& found : adapters::check(*adapters::start(text)).findings)
-    (found.named ? named : unexplained).push_back(found.sentence);
+Differences withhold_others(const std::string& text, bool quiet) try {
+  Differences all;
+  std::vector<std::string> unexplained, withheld;
+  const adapters::Checked checked = adapters::check(*adapters::start(text));
+  for (const conventions::Finding& found : checked.findings) {
+    if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
+    if (!found.usual)
+      (found.named    ? all.conventions
+       : found.choice ? all.choices
+                      : unexplained)
+          .push_back(found.sentence);
+  }
+  for (const adapters::CheckedOperation& o : checked.operations)
+    if (o.complaint.starts_with("the adapter states"))
+      unexplained.push_back(fmt::format("{} in {}: {}", o.operation, o.scalar, o.complaint));
   if (!quiet) print_warnings(unexplained);
-  if (!named.empty())
-    throw std::invalid_argument(
-        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter, or "
-                    "judge it as it is with --no-probe",
-                    text, fmt::join(named, "; ")));
+  if (!withheld.empty()) adapters::withhold(text, withheld);
+  return all;
 } catch (const adapters::AdapterFailed& e) {
   if (!quiet) print_warnings({e.what()});
+  return {};
+}
+
+void check_conventions(const std::string& text) {
+  if (const auto differ = withhold_others(text).conventions; !differ.empty())
+    throw std::invalid_argument(
+        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter", text,
+                    fmt::join(differ, "; ")));
 }
 
 std::vector<Flag> LimitsFlags::add(Arguments& a) {

@@ -146,9 +146,16 @@ struct AdapterFlags {
   std::vector<std::string> start() const;
 };
 
-/// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck, because nearly every
-/// case would fail. Warns of an operation that no known convention explains, unless `quiet`.
-void check_conventions(const std::string& adapter, bool quiet = false);
+/// What a probe of an adapter finds, a sentence each.
+struct Differences {
+  std::vector<std::string> conventions;  ///< others than liecheck's
+  std::vector<std::string> choices;      ///< that the adapter does not state, and that are others than liecheck's
+};
+/// The operations that a convention concerns in which the adapter differs are withheld, because nearly every case would
+/// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
+Differences withhold_others(const std::string& adapter, bool quiet = false);
+/// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck.
+void check_conventions(const std::string& adapter);
 
 /// --subject, --adapter, --property, --scalar, --limits, --profile and --json.
 struct SelectionFlags {

@@ -203,7 +203,7 @@ int hunt_on(const Series& series, HuntOptions options, const HuntFlags& f, const
   for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
     const Worst& w = hunted.worst[i];
     code = both(code,
-                print_worst(series, w, (series.robot == "none" ? "" : robot_flag) + subject_flags(series)));
+                print_worst(series, w, (series.on_robot ? robot_flag : "") + subject_flags(series)));
     if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
     if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
   }

@@ -1,5 +1,6 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
 #include <campaign/series.hpp>
+#include <campaign/robots.hpp>
 #include <campaign/window.hpp>
 #include <invariants/property.hpp>
 
@@ -48,6 +49,9 @@ std::string subject_flags(const Series& series) {
   return (series.adapter.empty() ? "" : " --adapter " + shell_quoted(series.adapter)) +
          (series.own ? " --limits " + shell_quoted(series.own->file) : "") +
          (usual ? "" : " --profile " + name_of(series.profile));
+}
+std::string replay_flags(const Series& series, const Robot& robot) {
+  return (series.on_robot && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
 }
 
 Profile default_profile(const SubjectLimits* own, bool of_adapter) {

@@ -150,5 +150,7 @@ std::string hash_of(const SubjectLimits& limits);
 Profile default_profile(const SubjectLimits* own, bool of_adapter);
 /// The flags --adapter, --limits and --profile that the series needs, each with a space before it, or "".
 std::string subject_flags(const Series& series);
+/// " --robot FILE", if the law measures a robot from a file, and subject_flags().
+std::string replay_flags(const Series& series, const Robot& robot);
 
 }  // namespace liecheck::properties

@@ -15,6 +15,8 @@ struct Finding {
   bool named;
   std::string sentence;
   std::vector<std::string> operations;
+  bool choice = false;  ///< one of several right results
+  bool usual = false;   ///< a choice that need not be stated: liecheck's own, or none
 };
 
 }  // namespace liecheck::properties::conventions

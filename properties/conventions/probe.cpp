@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <oracles/ball_arithmetic.hpp>
 #include <utility>
@@ -24,15 +25,19 @@ Mask one(std::size_t convention) {
   return Mask(1) << convention;
 }
 
-/// The first part that is wrong by more than a thousandth of its size, or null. Q and -Q are the same rotation.
+/// The first part that is wrong by more than a thousandth of its size, or null. Q and -Q are the same rotation, and angles
+/// that differ by 2 pi the same angle.
 const Part* wrong_part(const Layout& layout, std::span<const double> got, std::span<const double> right) {
   std::size_t at = 0;
+  const Kind kind = kind_of(layout);
+  const bool turns = kind == Kind::angle || kind == Kind::euler_angles;
   for (const Part& part : layout.parts) {
     double size = 0, apart = 0, apart_of_minus = 0;
     for (const std::size_t end = at + static_cast<std::size_t>(part.size); at < end; ++at) {
       if (!std::isfinite(got[at])) return &part;
       size = std::max(size, std::fabs(right[at]));
-      apart = std::max(apart, std::fabs(got[at] - right[at]));
+      const double by = got[at] - right[at];
+      apart = std::max(apart, std::fabs(turns ? std::remainder(by, 2 * std::numbers::pi) : by));
       apart_of_minus = std::max(apart_of_minus, std::fabs(got[at] + right[at]));
     }
     if (std::min(apart, part.size == 4 ? apart_of_minus : apart) > probe_tolerance * size) return &part;

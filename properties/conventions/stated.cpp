@@ -1,6 +1,9 @@
 #include <conventions/stated.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <conventions/choices.hpp>
 #include <conventions/table.hpp>
 #include <conventions/values.hpp>
 #include <numeric>
@@ -11,6 +14,11 @@ namespace {
 
 /// Throws std::invalid_argument unless the convention is known and can be converted exactly.
 void check(const std::string& name, const std::string& value) {
+  if (const Choice* const c = choice_named(name)) {
+    if (std::ranges::count(c->values, value) > 0) return;
+    throw std::invalid_argument(fmt::format("\"{}\": \"{}\" is no choice: it is one of \"{}\"", name, value,
+                                            fmt::join(c->values, "\", \"")));
+  }
   std::string names;
   for (const Convention& c : conventions()) {
     const Statement& s = c.statement;
@@ -25,6 +33,7 @@ void check(const std::string& name, const std::string& value) {
           "\"{}\": \"{}\" cannot be converted without rounding: in the adapter, {}", name, value, c.advice));
     return;
   }
+  for (const Choice& c : choices()) names += fmt::format(", \"{}\"", c.name);
   throw std::invalid_argument(fmt::format("\"{}\" is no convention: known are {}", name, names));
 }
 

@@ -61,8 +61,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
                              const Robot& robot) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(output));
   const CaseId id = series.id(seed, row.worst_index);
-  const std::string flags =
-      (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
+  const std::string flags = replay_flags(series, robot);
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);

@@ -50,13 +50,11 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   if (const std::string number = f.block == "sign" ? "" : worst_number_text(series, of, all); !number.empty())
     text += fmt::format("            {}\n", number);
   else if (call && !call->thrown.empty())
-    text += fmt::format("            throws: {}\n", printable(call->thrown));
+    text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
-  const std::string flags =
-      (series.robot != "none" && !campaign.robot.path.empty() ? robot_flags(campaign.robot) : "") +
-      subject_flags(series);
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
-  return text + fmt::format("   replay   liecheck replay {}{}\n", shown, flags);
+  return text + fmt::format("   replay   liecheck replay {}{}\n", shown,
+                            replay_flags(series, campaign.robot));
 } catch (const GivenUp&) {
   return "   interrupted: this case is not measured again\n";
 }

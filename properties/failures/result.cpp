@@ -145,7 +145,7 @@ std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& comp
   for (const Real& x : compared.computed) computed.push_back(static_cast<double>(x));
   const Layout& layout = *output.record->results[0];
   const auto own = std::ranges::find_if(layout.parts, [&](const Part& part) {
-    return concerns(output, layout, part) && static_cast<std::size_t>(part.size) == computed.size();
+    return is_judged(output, layout, part) && static_cast<std::size_t>(part.size) == computed.size();
   });
   const Part& part = own == layout.parts.end() ? layout.parts[0] : *own;
   std::vector<Pair> all;

@@ -179,7 +179,8 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
       };
       const double most = std::max({beyond(angles[0], -s.pi, s.pi), beyond(angles[2], -s.pi, s.pi),
                                     beyond(angles[1], proper ? 0 : -half, proper ? s.pi : half)});
-      r.record(outputs[1], 0, most > 2 * s.epsilon * s.pi ? most / s.epsilon : 0);
+      // The range of ordinary code is a choice: conventions/choices.hpp.
+      r.record(outputs[1], 0, !r.ordinary(outputs[1]) && most > 2 * s.epsilon * s.pi ? most / s.epsilon : 0);
     });
   }
 };

@@ -43,8 +43,8 @@ class Twist final : public SlowLaw<Twist> {
     if (!exact.determined && oracles::all_finite(computed)) return r.outcome(angle, 0, Outcome::ill_posed);
     judged_value(r, {angle}, 0, computed, exact.resolved, [&] {
       const Real got = oracles::exact<Real>(computed[0]);
-      // Within 8 eps of pi, rounding may choose the other sign.
-      const bool either = exact.pi_minus_angle <= Real(8 * scalar().epsilon);
+      // Within 8 eps of pi, rounding may choose the other sign. The range of ordinary code is a choice.
+      const bool either = exact.pi_minus_angle <= Real(8 * scalar().epsilon) || r.ordinary(angle);
       const Real turn = 2 * (abs(exact.angle) + exact.pi_minus_angle),
                  other = exact.angle < 0 ? Real(exact.angle + turn) : Real(exact.angle - turn);
       const double error = oracles::scalar_error(r.scalar(), got, exact.angle, exact.scale),

@@ -54,6 +54,10 @@ void register_subject(Subject subject) {
   registered().push_back(std::move(subject));
 }
 
+void forget_subject(const std::string& name) {
+  std::erase_if(registered(), [&](const Subject& s) { return s.name == name; });
+}
+
 template <class S>
 std::vector<const TypedSubject<S>*> typed_subjects() {
   complete();

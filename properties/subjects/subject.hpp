@@ -45,5 +45,7 @@ std::vector<const Subject*> subjects(const Scalar& scalar);
 
 /// Adds a subject, such as that of an adapter.
 void register_subject(Subject subject);
+/// Takes the subjects of this name away. No pointer to any of the registered ones may be in use.
+void forget_subject(const std::string& name);
 
 }  // namespace liecheck::properties

@@ -61,8 +61,7 @@ void add(Cell& c, const Series& s, const Rows::Cell& at, const Row& row, std::ui
   if (error > c.worst && row.judged() > 0) {
     const CaseId id = s.id(seed, row.worst_index);
     c.worst = error, c.block = s.outputs[output].block;
-    c.replay = "liecheck replay " + id.text() +
-               (s.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(s);
+    c.replay = "liecheck replay " + id.text() + replay_flags(s, robot);
     c.input = s.input(id);
   }
 }
