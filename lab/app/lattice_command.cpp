@@ -15,6 +15,7 @@ namespace {
 struct Flags {
   LatticeOptions options;
   unsigned percent = 0;
+  bool conditions = false;
   std::string json;
 };
 
@@ -79,6 +80,21 @@ void print_holes(const LatticeResult& r) {
   }
 }
 
+/// How often a finding would tell where a fault acts, and each that it would not tell rightly.
+void print_told(const LatticeResult& r, bool each) {
+  std::map<Told, std::size_t> told;
+  for (const LatticeRow& row : r.rows) ++told[row.verdict.told];
+  const std::size_t asked = told[Told::right] + told[Told::other] + told[Told::silent];
+  if (asked == 0) return;
+  for (const LatticeRow& row : r.rows)
+    if (each && (row.verdict.told == Told::other || row.verdict.told == Told::silent))
+      say("told of {} {} {}, {}, where {}: {}\n", row.subject, row.operation, row.block, row.change, row.trigger,
+          row.verdict.told == Told::silent ? "nothing" : row.verdict.condition);
+  say("of {} found faults whose trigger is no angle, the condition is told rightly of {}, as another one of {}, and not of "
+      "{}\n",
+      asked, told[Told::right], told[Told::other], told[Told::silent]);
+}
+
 int run(const Flags& f) {
   const Robot robot = built_in_robot();
   stop_on_signals();
@@ -88,6 +104,7 @@ int run(const Flags& f) {
   print_table(r);
   print_holes(r);
   say("\n");
+  print_told(r, f.conditions);
   for (const auto& [subject, share] : r.failures_of_base)
     if (share > 0)
       say("base {} fails {:.2g} % of its cases without a fault; they were left out\n", subject, 100 * share);
@@ -118,6 +135,7 @@ Command lattice_command(CLI::App& lab) {
            "cases of each law; beyond 1000 only for rarer triggers, and a tenth for trees");
   a.number("--faults", o.faults, 1, 1000000, "a random sample of N faults; default all");
   a.number("--percent", a->percent, 1, 100, "only triggers that fire in N % of the cases of a law");
+  a.toggle("--conditions", a->conditions, "print what a finding would say of where a fault acts, if that is not right");
   a.duration("--for", o.seconds, "stop after this time: 30s, 5m");
   a.text("--resume", o.resume, "FILE", "append each verdict to FILE, and continue what FILE contains");
   a.json(a->json, "write the table to FILE");

@@ -1,6 +1,8 @@
 #include <invariants/property.hpp>
 #include <lattice/lab.hpp>
 
+#include <search/condition.hpp>
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/judge.hpp>
@@ -163,12 +165,33 @@ bool Lab::fails(const LawRun& law, std::uint64_t index, const Fault& fault, Tria
     if (j.failed && !fails_output(base, j.residual.output)) {
       const Output& o = law.series->outputs.at(j.residual.output);
       by = fmt::format("{}: {}, {}", law.series->property, o.operation, o.block);
+      trial.output = static_cast<std::size_t>(j.residual.output);
       return true;
     }
   if (law.base_fails[index]) return false;
   trial.changed = true;
   trial.granted += moved < 1 || !agree(judged, run(law, index));
   return false;
+}
+
+void Lab::tell(const LawRun& law, const Fault& fault, std::size_t output, FaultVerdict& verdict) {
+  const Trigger& trigger = triggers_[fault.trigger];
+  if (trigger.is_angle() || trigger.is_habit()) return;
+  watch_.forget();
+  watch_.fault = &fault, watch_.planted = true;
+  std::optional<Condition> condition;
+  {
+    const Watch::Active active(watch_);
+    condition = condition_of(*law.series, output, seed_, std::min(law.scanned, first_cases), [](std::size_t) { return true; });
+  }
+  watch_.fault = nullptr, watch_.planted = false;
+  verdict.told = Told::silent;
+  if (!condition) return;
+  verdict.condition = text_of(*condition, law.series->format());
+  const auto& fired = law.noted.at({fault.operation, fault.trigger}).cases;
+  const auto first = static_cast<double>(std::ranges::count_if(fired, [](std::uint32_t i) { return i < first_cases; })),
+             cases = static_cast<double>(condition->cases);
+  verdict.told = std::fabs(cases - first) <= 0.2 * first ? Told::right : Told::other;
 }
 
 double Lab::share(const Fault& fault) const {
@@ -197,6 +220,7 @@ FaultVerdict Lab::judge(const Fault& fault) {
   for (const auto& [index, law] : cases) {
     if (fails(*law, index, fault, trial, verdict.by)) {
       verdict.found = Found::found, verdict.cases = index + 1;
+      tell(*law, fault, trial.output, verdict);
       return verdict;
     }
     if (trial.granted >= enough_grants) break;

@@ -24,10 +24,16 @@ enum class Found : std::uint8_t {
 inline constexpr const char* found_words[] = {"found", "granted", "unseen", "unchanged", "never fired"};
 static_assert(std::size(found_words) == static_cast<std::size_t>(Found::unfired) + 1);
 
+/// Whether the condition that a finding prints is that of the trigger (search/condition.hpp): it holds for nearly all failing
+/// cases and for few others, and in about as many cases as the trigger fires in.
+enum class Told : std::uint8_t { unasked, right, other, silent };
+
 struct FaultVerdict {
   Found found = Found::unfired;
   std::uint64_t cases = 0;  ///< of a law, until it fails; 0 if none failed
   std::string by;           ///< law: operation, block
+  Told told = Told::unasked;  ///< of a found fault whose trigger is no angle and no habit, in this run
+  std::string condition = {};
   double share = 0;         ///< of the cases of a law in which the trigger fires; the largest of all laws
 };
 
@@ -78,12 +84,15 @@ class Lab {
   struct Trial {
     std::uint64_t granted = 0;
     bool changed = false;  ///< a result, in a case that the base passes
+    std::size_t output = 0;  ///< the one that failed
   };
 
   std::vector<Judged> run(const LawRun& law, std::uint64_t index);
   void scan_case(LawRun& law, std::uint64_t index);
   /// Runs a case with the fault. Returns the failed measurement, or null.
   bool fails(const LawRun& law, std::uint64_t index, const Fault& fault, Trial& trial, std::string& by);
+  /// What a finding would say of where a found fault acts.
+  void tell(const LawRun& law, const Fault& fault, std::size_t output, FaultVerdict& verdict);
   Perturbation drawn(const Operation& operation, std::size_t trigger) const;
 
   const std::vector<Trigger>& triggers_;

@@ -1,7 +1,7 @@
 #pragma once
 // A subject whose calls are watched, and in which one fault can be planted at a time.
 
-#include <lattice/features.hpp>
+#include <search/features.hpp>
 #include <lattice/perturbation.hpp>
 #include <map>
 #include <memory>

@@ -5,7 +5,9 @@
 #include <campaign/expected.hpp>
 #include <cmath>
 #include <failures/result.hpp>
+#include <functional>
 #include <map>
+#include <search/condition.hpp>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -183,6 +185,27 @@ std::string where_of(const FailedBlock& f) {
   if (runs.size() <= 3) return fmt::format("{}", fmt::join(runs, ", "));
   return fmt::format("{} of {} bands, worst in {}", count, fails.size(),
                      run_text(bands, f.worst->band, f.worst->band));
+}
+
+std::string where_and_how_often(const FailedBlock& f, const CampaignResult& campaign) {
+  const std::string bands = where_of(f);
+  const BandOf& worst = *f.worst;
+  const Series& series = *worst.series;
+  if (10 * f.failed < 9 * f.cases && f.block != "sign" && worst.row->crashed == 0) {
+    const auto fails_in = [&](std::size_t band) {
+      return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
+    };
+    const auto everywhere = [](std::size_t) { return true; };
+    for (const bool all : {true, false}) {
+      const auto c = condition_of(series, worst.output, campaign.options.seed, campaign.options.cases,
+                                  all ? std::function<bool(std::size_t)>(everywhere) : fails_in);
+      if (!c) continue;
+      return fmt::format("{}{}: {} of {} cases in {}, elsewhere {} of {}",
+                         all || bands == "everywhere" ? "" : bands + ", and ", text_of(*c, series.format()), c->failed,
+                         c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
+    }
+  }
+  return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);
 }
 
 }  // namespace liecheck::properties

@@ -90,8 +90,8 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     if (f->operation != finding.operation) add_once(others, f->operation);
   std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "),
                                  how_bad(finding.own));
-  text += fmt::format("   where    {}: {} of {} cases in {}{}\n", where_of(first), first.failed, first.cases,
-                      first.scalar, finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
+  text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
+                      finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
   if (const std::string guess = guess_of(first); !guess.empty())
     text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())

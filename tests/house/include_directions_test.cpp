@@ -79,7 +79,7 @@ const std::vector<Room> harness = {
     {"history",
      {"support", "oracles", "operations", "budgets", "subjects", "invariants", "campaign", "hard_cases",
       "bugs"}},
-    {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
+    {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign", "search"}},
     {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"rounding",
      {"lib", "support", "operations", "conventions", "generators", "subjects", "invariants", "timing"}},

@@ -1,0 +1,32 @@
+#pragma once
+// The simplest condition on one feature of a call that separates the inputs that fail from those that pass.
+
+#include <campaign/series.hpp>
+#include <functional>
+#include <optional>
+#include <search/features.hpp>
+#include <string>
+
+namespace liecheck::properties {
+
+/// feature >= low and feature < high.
+struct Condition {
+  Feature feature = Feature::one;
+  double low = 0, high = 0;
+  std::uint64_t failed = 0, cases = 0;                  ///< where it holds
+  std::uint64_t failed_elsewhere = 0, elsewhere = 0;    ///< where it does not
+  bool holds(const Features& f) const { return f[feature] >= low && f[feature] < high; }
+};
+
+/// In words: "w < 0", "|p| >= 1.2e+05 m", "3 joints".
+std::string text_of(const Condition& condition, const Scalar& scalar);
+
+/// The condition, of those that are no angle, that holds for nearly all failing inputs of an output and for few others; none
+/// if there is no such condition, or if fewer than five inputs fail or pass. It looks at the first cases of the campaign,
+/// at most a thousand in half a second, then searches each border between a failing and a passing input by bisection.
+/// Cases in whose band `looked_at` is false are left out.
+std::optional<Condition> condition_of(const Series& series, std::size_t output, std::uint64_t seed,
+                                      std::uint64_t cases,
+                                      const std::function<bool(std::size_t band)>& looked_at);
+
+}  // namespace liecheck::properties
