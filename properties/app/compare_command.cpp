@@ -11,6 +11,7 @@
 #include <store/store_path.hpp>
 #include <store/times.hpp>
 #include <support/files.hpp>
+#include <support/progress.hpp>
 #include <support/say.hpp>
 
 namespace liecheck::properties {
@@ -62,13 +63,19 @@ nlohmann::json record_of(const std::vector<Change>& changes) {
 
 /// Prints each change, and below the last one of a cell the replay of its worst case.
 void print_changes(const std::vector<Change>& changes) {
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    const Change& c = changes[i];
-    say("{}\n", c.text());
-    const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
-    std::istringstream replay(last ? replay_of(c) : "");
-    for (std::string line; std::getline(replay, line);) say("  {}\n", line);
+  std::string text;
+  {
+    Counted drawn("drawing the worst cases", "cells", 16);  // which clears its line before the text
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      drawn.next();
+      const Change& c = changes[i];
+      text += c.text() + "\n";
+      const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
+      std::istringstream replay(last ? replay_of(c) : "");
+      for (std::string line; std::getline(replay, line);) text += "  " + line + "\n";
+    }
   }
+  say("{}", text);
 }
 
 int run(const CompareFlags& f) {

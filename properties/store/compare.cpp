@@ -11,6 +11,7 @@
 #include <store/merge.hpp>
 #include <store/sampling.hpp>
 #include <support/markdown.hpp>
+#include <support/progress.hpp>
 
 namespace liecheck::properties {
 
@@ -23,12 +24,13 @@ struct Measured {
   const Row* row;
 };
 
-std::map<Name, Measured> by_name(const StoredCampaign& c) {
+std::map<Name, Measured> by_name(const StoredCampaign& c, Counted& cells) {
   std::map<Name, Measured> all;
   for (const StoredSeries& s : c.series)
     for (const auto& [cell, row] : s.tally.rows) {
       const Label& l = s.labels.at(cell);
       all[{s.subject, s.scalar, s.property, l.operation, l.block, l.band}] = {&s, &row};
+      cells.next();
     }
   return all;
 }
@@ -53,9 +55,10 @@ struct Pooled {
   Measured worst;  ///< with the row of the worst band
   Row row;
 };
-std::map<Name, Pooled> pooled(const std::map<Name, Measured>& cells) {
+std::map<Name, Pooled> pooled(const std::map<Name, Measured>& cells, Counted& shown) {
   std::map<Name, Pooled> all;
   for (const auto& [name, m] : cells) {
+    shown.next();
     Name block = name;
     block[5] = "all bands";
     Pooled& p = all[block];
@@ -67,15 +70,14 @@ std::map<Name, Pooled> pooled(const std::map<Name, Measured>& cells) {
 
 /// Adds the blocks that are worse in all bands together, but in none of them alone.
 void add_pooled(std::vector<Change>& all, const StoredCampaign& b, const std::map<Name, Measured>& before,
-                const std::map<Name, Measured>& after) {
-  const auto was = pooled(before);
-  for (const auto& [name, is] : pooled(after)) {
+                const std::map<Name, Measured>& after, Counted& cells) {
+  std::set<Name> alone;
+  for (Change c : all) c.name[5] = "all bands", alone.insert(c.name);
+  const auto was = pooled(before, cells);
+  for (const auto& [name, is] : pooled(after, cells)) {
     const auto old = was.find(name);
-    if (old == was.end() ||
-        old->second.worst.series->tally.inputs.sum() == is.worst.series->tally.inputs.sum() ||
-        std::ranges::any_of(all, [&, &n = name](const Change& c) {
-          return std::equal(n.begin(), n.begin() + 5, c.name.begin());
-        }))
+    if (old == was.end() || alone.contains(name) ||
+        old->second.worst.series->tally.inputs.sum() == is.worst.series->tally.inputs.sum())
       continue;
     for (const std::string& what : worse_by_more_than_chance(old->second.row, is.row))
       all.push_back({name, what, worst_case(b, is.worst)});
@@ -85,9 +87,11 @@ void add_pooled(std::vector<Change>& all, const StoredCampaign& b, const std::ma
 }  // namespace
 
 std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
-  const auto after = by_name(b);
+  Counted cells("comparing", "cells");
+  const auto after = by_name(b, cells);
   std::size_t n = 0;
-  for (const auto& [name, old] : by_name(a)) {
+  for (const auto& [name, old] : by_name(a, cells)) {
+    cells.next();
     const auto found = after.find(name);
     n += found != after.end() && old.row->judged() > 0 && found->second.row->judged() > 0;
   }
@@ -99,7 +103,8 @@ std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
     throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
   if (const std::string profiles = differences_of_profiles(a, b); !profiles.empty())
     throw std::invalid_argument("verdicts by different profiles cannot be compared: " + profiles);
-  const auto before = by_name(a), after = by_name(b);
+  Counted cells("comparing", "cells");
+  const auto before = by_name(a, cells), after = by_name(b, cells);
   std::vector<Change> all;
   for (const StoredSeries& s : b.series) {
     const auto same = std::find_if(a.series.begin(), a.series.end(), [&](const StoredSeries& o) {
@@ -113,6 +118,7 @@ std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
                      ""});
   }
   for (const auto& [name, old] : before) {
+    cells.next();
     const auto found = after.find(name);
     const auto say = [&, &n = name](const std::string& what) {
       all.push_back({n, what, found == after.end() ? "" : worst_case(b, found->second)});
@@ -149,7 +155,7 @@ std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
                       excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
                       was.worst_index));
   }
-  add_pooled(all, b, before, after);
+  add_pooled(all, b, before, after, cells);
   return all;
 }
 
@@ -228,8 +234,12 @@ std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const 
   };
   table("worse", got_worse);
   std::string replays;
-  for (const Change& c : got_worse)
-    if (const std::string replay = replay_of(c); replays.find(replay) == std::string::npos) replays += replay;
+  std::set<std::string> known = {""};
+  Counted cells("drawing the worst cases", "cells", 16);
+  for (const Change& c : got_worse) {
+    cells.next();
+    if (const std::string replay = replay_of(c); known.insert(replay).second) replays += replay;
+  }
   if (!replays.empty())
     text += fmt::format("The worst cases of these cells now:\n\n```sh\n{}```\n\n", replays);
   if (!got_better.empty()) {

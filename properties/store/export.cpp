@@ -95,20 +95,12 @@ std::vector<const StoredSeries*> sorted_series(const StoredCampaign& c) {
 std::string export_text(const StoredCampaign& c) {
   SetDigest inputs, results;
   std::uint64_t total = 0, failed = 0;
-  std::string series, cells, failures;
-  Counted rows("writing as text");
-  for (const StoredSeries* s : sorted_series(c)) {
+  const auto all = sorted_series(c);
+  for (const StoredSeries* s : all) {
     inputs.merge(s->tally.inputs);
     results.merge(s->tally.results);
     total += s->tally.cases;
-    series += series_line(*s);
-    for (const auto& [cell, row] : s->tally.rows) {
-      rows.next();
-      failed += row.failed;
-      cells += cell_line(*s, cell, row);
-      if (const auto f = s->failures.find(cell); f != s->failures.end())
-        failures += failure_line(*s, cell, f->second);
-    }
+    for (const auto& [cell, row] : s->tally.rows) failed += row.failed;
   }
   const CampaignSpec& p = c.spec;
   json limits = json::object();  // by subject; without the file's name, which may differ
@@ -125,7 +117,14 @@ std::string export_text(const StoredCampaign& c) {
       {"total_cases", total},
       {"inputs", hexadecimal(inputs.sum())},
       {"results", hexadecimal(results.sum())}};
-  return dumped(head) + "\n" + series + cells + failures;
+  std::string text = dumped(head) + "\n";
+  for (const StoredSeries* s : all) text += series_line(*s);
+  Counted rows("writing as text");
+  for (const StoredSeries* s : all)
+    for (const auto& [cell, row] : s->tally.rows) rows.next(), text += cell_line(*s, cell, row);
+  for (const StoredSeries* s : all)
+    for (const auto& [cell, failure] : s->failures) rows.next(), text += failure_line(*s, cell, failure);
+  return text;
 }
 
 }  // namespace liecheck::properties

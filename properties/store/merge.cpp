@@ -8,6 +8,7 @@
 #include <store/store.hpp>
 #include <store/store_path.hpp>
 #include <support/files.hpp>
+#include <support/progress.hpp>
 
 namespace liecheck::properties {
 
@@ -66,8 +67,10 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
   CampaignSpec& spec = all.spec;
   spec.first = 0, spec.last = spec.cases;
   std::vector<const Shard*> taken{&parts[0]};
+  Counted merged("merging", "series", 1);
   for (std::size_t k = 1; k < parts.size(); ++k) {
     for (std::size_t i = 0; i < all.series.size(); ++i) {
+      merged.next();
       StoredSeries& to = all.series[i];
       const StoredSeries& from = parts[k].campaign.series[i];
       if (const Shard* other = overlapping(taken, i, from.tally.done)) {

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <set>
 #include <stdexcept>
+#include <store/looking.hpp>
 #include <store/row_seal.hpp>
 #include <support/stop.hpp>
 
@@ -148,6 +149,8 @@ void Store::check_format(Open how) try {
                      version == 1 ? ", which counts inputs and not what was measured of them" : "",
                      schema_version));
   check_structure();
+  Counted checked("checking " + path_, "");
+  const Looking looking(database_, checked);
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
     fail("corrupt: the database is damaged");
   if (how == Open::create && sqlite3_db_readonly(database_.getHandle(), "main") == 1)
@@ -210,6 +213,8 @@ void Store::reserve() try {
 }
 
 void Store::copy_to(const std::string& path) try {
+  Counted copied("copying " + path_, "");
+  const Looking looking(database_, copied);
   SQLite::Statement copy(database_, "VACUUM INTO ?");
   bind_row(copy, path[0] == '/' ? path : "./" + path).exec();
 } catch (const SQLite::Exception& e) {

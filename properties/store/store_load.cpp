@@ -1,7 +1,5 @@
 // Reads campaigns from a store, and checks that nothing is missing or damaged.
 
-#include <sqlite3.h>
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
@@ -10,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <store/looking.hpp>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
 #include <support/environment.hpp>
@@ -248,13 +247,8 @@ std::vector<Counterexample> Store::counterexamples() try {
       if (!has_true_seal(sealed)) fail("corrupt: " + changed_row(table));
     }
   }
-  // Before the first row, all are sorted. The handler leaves with `rows`, also if a signal ends the sort.
-  struct Looking {
-    sqlite3* database;
-    ~Looking() { sqlite3_progress_handler(database, 0, nullptr, nullptr); }
-  } const looking{database_.getHandle()};
-  sqlite3_progress_handler(
-      looking.database, 100000, [](void* of) -> int { return static_cast<Counted*>(of)->given_up(); }, &rows);
+  // Before the first row, all are sorted.
+  const Looking looking(database_, rows);
   SQLite::Statement row(
       database_,
       "SELECT s.property, s.subject, s.scalar, s.robot, c.operation, c.block, f.input FROM failures f "

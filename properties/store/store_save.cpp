@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
+#include <store/looking.hpp>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
 #include <support/progress.hpp>
@@ -149,13 +150,14 @@ void Store::commit(const std::vector<SeriesResult>& series, const Checkpoint::Ch
 }
 
 void Store::write(const StoredCampaign& c, bool replace_last, const std::vector<Counterexample>& others) try {
+  Counted rows("writing " + path_);
+  const Looking looking(database_, rows);
   auto transaction = begin_transaction(database_);
   campaign_ = campaigns() + (replace_last ? 0 : 1);
   for (const char* table : {"campaigns WHERE id", "series WHERE campaign", "done WHERE campaign",
                             "cells WHERE campaign", "limits WHERE campaign", "failures WHERE campaign"})
     database_.exec(fmt::format("DELETE FROM {} = {}", table, campaign_));
   insert(c.spec);
-  Counted rows("writing " + path_);
   for (std::size_t i = 0; i < c.series.size(); ++i) {
     const StoredSeries& s = c.series[i];
     write_series(i, s, s.tally);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <support/progress.hpp>
 #include <support/read_json.hpp>
 
 namespace liecheck::properties {
@@ -23,12 +24,15 @@ using Times = std::map<Name, std::map<std::string, Time>>;  // by band
 Times times_in(const std::string& file) {
   Times all;
   const json record = read_json(file);
+  Counted rows("times of " + file);
   members_of(file, "record of 'liecheck cost --json'", [&] {
-    for (const json& row : record.at("cost").at("rows"))
+    for (const json& row : record.at("cost").at("rows")) {
+      rows.next();
       for (const json& set : row.at("sets"))
         if (const json& t = set.at("latency"); !t.is_null())
           all[{row.at("subject"), row.at("scalar"), row.at("operation")}].emplace(
               set.at("set"), Time{t.at("ns"), t.at("ratio"), t.at("low"), t.at("high")});
+    }
   });
   return all;
 }

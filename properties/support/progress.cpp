@@ -43,7 +43,8 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
   shown_ = now;
   std::string text = what_.empty() ? "" : what_ + ": ";
   if (share < 0) {
-    text += fmt::format("{}  {}", detail(now), clock_text(now));
+    const std::string said = detail(now);
+    text += (said.empty() ? "" : said + "  ") + clock_text(now);
   } else {
     share = std::min(share, 1.0);
     const std::string left = share > 0 ? clock_text(now * (1 - share) / share) : "?";
@@ -80,7 +81,7 @@ void Counted::next() {
 }
 
 bool Counted::given_up() {
-  progress_.show(-1, fmt::format("{} {}", done_, pieces_));
+  progress_.show(-1, pieces_.empty() ? "" : fmt::format("{} {}", done_, pieces_));
   return stop_requested && progress_.elapsed() > 0.5;
 }
 

@@ -45,7 +45,8 @@ class Steps {
   std::size_t done_ = 0, all_;
 };
 
-/// Shows how many pieces of a number that nobody knows are done, and looks at them and at signals at every `every`th.
+/// Shows how many pieces of a number that nobody knows are done, and looks at them and at signals at every `every`th. If
+/// the pieces have no name, it shows the time alone.
 class Counted {
  public:
   explicit Counted(std::string what, std::string pieces = "rows", std::size_t every = 256);

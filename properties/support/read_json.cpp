@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/progress.hpp>
 #include <support/text.hpp>
 #include <vector>
 
@@ -26,7 +28,9 @@ std::string line_and_column(std::string_view bytes, std::size_t at) {
 class Reader final : public nlohmann::detail::json_sax_dom_parser<json> {
  public:
   Reader(json& value, const std::string& file, std::string_view bytes)
-      : json_sax_dom_parser(value), file_(file), bytes_(bytes) {}
+      : json_sax_dom_parser(value), file_(file), bytes_(bytes) {
+    if (bytes.size() > 1'000'000) shown_.emplace("reading " + file);
+  }
   bool start_object(std::size_t elements) {
     deeper();
     names_.emplace_back();
@@ -35,6 +39,8 @@ class Reader final : public nlohmann::detail::json_sax_dom_parser<json> {
   bool key(std::string& name) {
     if (!names_.back().insert(name).second)
       throw std::runtime_error(fmt::format("{}: the member '{}' is given twice", file_, printable(name)));
+    // A signal does not end it: a report reads the record of what was done until then.
+    if (++members_ % 4096 == 0 && shown_) shown_->show(-1, fmt::format("{} members", members_));
     return json_sax_dom_parser::key(name);
   }
   bool end_object() { return --depth_, names_.pop_back(), json_sax_dom_parser::end_object(); }
@@ -65,6 +71,8 @@ class Reader final : public nlohmann::detail::json_sax_dom_parser<json> {
   std::string_view bytes_;
   std::vector<std::set<std::string>> names_;  ///< of the open objects
   int depth_ = 0;
+  std::size_t members_ = 0;
+  std::optional<Progress> shown_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <store/looking.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
@@ -358,6 +359,20 @@ TEST(Counted, IsGivenUpAtASignalUnlessItHasJustBegun) {
   EXPECT_NO_THROW(read());
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
   EXPECT_THROW(read(), GivenUp);
+  stop_requested = false;
+}
+
+/// Such as the check of a large store, of which no row comes that next() could count.
+TEST(Looking, EndsALongStatementAtASignal) {
+  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE);
+  Counted shown("checking", "");
+  const Looking looking(database, shown);
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  stop_requested = true;
+  const char* const long_one =
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 100000000) SELECT max(i) "
+      "FROM n";
+  EXPECT_THROW(database.execAndGet(long_one), SQLite::Exception);
   stop_requested = false;
 }
 

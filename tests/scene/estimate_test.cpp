@@ -182,6 +182,25 @@ TEST(Estimate, BelievesNoOrderAboveThatOfAToleranceAtAll) {
   EXPECT_GT(run.estimate->error.position, error / 5);
 }
 
+/// Steps of h and h/2 are wrong alike where the box meets the ground: they differ by an order of 1.6, and rkmk6 has 6.
+TEST(Estimate, TrustsNoHalvedStepsThatDoNotShowTheOrderOfTheMethod) {
+  const auto box = [](const std::string& integrator) {
+    return loadSceneText(
+        "robot: {body: box, size: [0.1, 0.1, 0.4], centre: [0.01, 0, 0.05], mass: 0.59}\nground: {height: 0}\n"
+        "initial: {position: [0, 0, 0.226], attitude: [1.32, 1.46, 0.446], velocity: [-1.63, -0.774, 1.55], "
+        "angular_velocity: [-0.0549, -0.0711, 0.0436]}\n"
+        "effects: [gravity, contact: {bodies: all, stiffness: 7.94e+04, friction: 0.75, slip: 0.0038}]\n"
+        "duration: 0.228\noutput: {every: 0.0057}\nintegrator: " +
+        integrator + "\n");
+  };
+  const scene::Scene s = box("{name: rkmk6, step: 0.00057}");
+  const scene::Run run = scene::run(s, {}, true), truth = scene::run(box("{name: dopri5, tolerance: 1e-11}"));
+  const VectorX<double> error = difference(s.model, run.q, truth.q);
+  EXPECT_GT(error.tail<3>().lpNorm<Eigen::Infinity>(), run.estimate->accepted.angle);
+  EXPECT_GT(run.estimate->error.angle, error.tail<3>().lpNorm<Eigen::Infinity>() / 2);
+  EXPECT_FALSE(run.estimate->alarms.empty());
+}
+
 TEST(Estimate, NamesTheEnergyThatASceneMustKeep) {
   // 1 % of the energy is lost before the error of the angle is 10 rad.
   const scene::Scene s = loadSceneText(

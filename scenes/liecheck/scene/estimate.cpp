@@ -10,9 +10,7 @@
 
 namespace liecheck::scene {
 namespace {
-
 using Vec = VectorX<double>;
-
 std::string decimal(double x, const char* format = "%.12g") {
   char text[40];
   std::snprintf(text, sizeof text, format, x);
@@ -66,7 +64,8 @@ class Estimator {
       else if (observed())
         factor = 1 / (std::pow(coarse->ratio, believedOrder()) - 1);
       // Two differences may have the ratio of an order by chance, and few long steps may not differ by the tolerance. E is
-      // trusted to a factor of 2 (.5), of 30 where phases are not resolved (.03) and, for an alarm, between long steps.
+      // trusted to a factor of 2 (.5) and of 30 (.03) where phases are not resolved, where shorter steps do not show the
+      // order, as both may meet a contact too late, and, for an alarm, between long steps.
       const double E = D1 * factor, order = result_.order.value_or(0);
       known = points_.back().step >= 9 || (observed() && order < 2 * promised_);
       known = known && ((D1 <= 10 && E <= (phases_.unresolved ? 0.03 : 0.5)) ||
@@ -88,7 +87,8 @@ class Estimator {
       if (coarse && D > 0) result_.order = orderOf(differ(coarse->states) / D, coarse->ratio, fine->ratio);
       const double p = std::min(result_.order.value_or(1), promised_);
       factor = p < 0.5 ? 1 : 1 / (1 - std::pow(fine->ratio, p));
-      known = ratio < 0.2 || ((D * factor < 0.5 || D * factor > 10) && !phases_.unresolved);
+      const double trusted = result_.order.value_or(0) > 0.5 * promised_ ? 0.5 : 0.03;
+      known = ratio < 0.2 || ((D * factor < trusted || D * factor > 10) && !phases_.unresolved);
       ratio = 0.125, best = std::move(fine);
     }
     if (best)

@@ -8,9 +8,9 @@
 // that of the method, the error is taken to be D itself; if p is above it, only half the order is believed. They lose
 // contacts that the run resolves by shorter steps (phase_check.hpp). Such a run has one twin with steps of 3 h and
 // shorter phases, and its error is 4/3 D. Where this leaves open whether the error is accepted, the twin has every
-// step half as long, also within phases, and then h/8 if the error is near the accepted one: error = D / (1 - r^p).
-// (Richardson 1911; Hairer, Norsett & Wanner 1993, II.4.) Methods with a tolerance get r^p times the tolerance and r
-// times the longest step.
+// step half as long, also within phases, and then h/8 if the error is near the accepted one, or above 3 % of it where
+// the order is not the method's: error = D / (1 - r^p). (Richardson 1911; Hairer, Norsett & Wanner 1993, II.4.)
+// Methods with a tolerance get r^p times the tolerance and r times the longest step.
 //
 // The error covers the method and the amplified rounding errors. It does not cover what all runs share: the
 // model, the parameters, and features of the motion between checkpoints that no twin meets.
