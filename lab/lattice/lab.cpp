@@ -176,22 +176,24 @@ bool Lab::fails(const LawRun& law, std::uint64_t index, const Fault& fault, Tria
 
 void Lab::tell(const LawRun& law, const Fault& fault, std::size_t output, FaultVerdict& verdict) {
   const Trigger& trigger = triggers_[fault.trigger];
-  if (trigger.is_angle() || trigger.is_habit()) return;
+  if (trigger.is_angle() || trigger.is_habit() || law.failed > 0) return;
   watch_.forget();
   watch_.fault = &fault, watch_.planted = true;
   std::optional<Condition> condition;
   {
     const Watch::Active active(watch_);
-    condition = condition_of(*law.series, output, seed_, std::min(law.scanned, first_cases), [](std::size_t) { return true; });
+    condition = condition_of(*law.series, output, seed_, [](std::size_t) { return true; });
   }
   watch_.fault = nullptr, watch_.planted = false;
   verdict.told = Told::silent;
   if (!condition) return;
   verdict.condition = text_of(*condition, law.series->format());
   const auto& fired = law.noted.at({fault.operation, fault.trigger}).cases;
-  const auto first = static_cast<double>(std::ranges::count_if(fired, [](std::uint32_t i) { return i < first_cases; })),
-             cases = static_cast<double>(condition->cases);
-  verdict.told = std::fabs(cases - first) <= 0.2 * first ? Told::right : Told::other;
+  const auto first = std::ranges::count_if(fired, [](std::uint32_t i) { return i < first_cases; });
+  const double due = static_cast<double>(first) / first_cases,
+               got = static_cast<double>(condition->cases) / static_cast<double>(condition->cases + condition->elsewhere);
+  const double spread = 3 * std::sqrt(due / first_cases);
+  verdict.told = std::fabs(got - due) <= 0.2 * due + spread ? Told::right : Told::other;
 }
 
 double Lab::share(const Fault& fault) const {

@@ -32,9 +32,9 @@ struct FaultVerdict {
   Found found = Found::unfired;
   std::uint64_t cases = 0;  ///< of a law, until it fails; 0 if none failed
   std::string by;           ///< law: operation, block
-  Told told = Told::unasked;  ///< of a found fault whose trigger is no angle and no habit, in this run
-  std::string condition = {};
   double share = 0;         ///< of the cases of a law in which the trigger fires; the largest of all laws
+  Told told = Told::unasked;   ///< of a found fault whose trigger is no angle and no habit, of a law that the base passes, in this run
+  std::string condition = {};
 };
 
 /// Which laws run: those of single operations and robots, and those of trees.

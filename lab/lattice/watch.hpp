@@ -1,10 +1,11 @@
 #pragma once
 // A subject whose calls are watched, and in which one fault can be planted at a time.
 
-#include <search/features.hpp>
+#include <lattice/trigger.hpp>
 #include <lattice/perturbation.hpp>
 #include <map>
 #include <memory>
+#include <search/features.hpp>
 #include <subjects/number_function.hpp>
 #include <thread>
 

@@ -197,7 +197,7 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
     };
     const auto everywhere = [](std::size_t) { return true; };
     for (const bool all : {true, false}) {
-      const auto c = condition_of(series, worst.output, campaign.options.seed, campaign.options.cases,
+      const auto c = condition_of(series, worst.output, campaign.options.seed,
                                   all ? std::function<bool(std::size_t)>(everywhere) : fails_in);
       if (!c) continue;
       return fmt::format("{}{}: {} of {} cases in {}, elsewhere {} of {}",

@@ -10,6 +10,7 @@
 #include <invariants/tree_laws.hpp>
 #include <search/shrink.hpp>
 #include <subjects/number_function.hpp>
+#include <span>
 #include <support/stop.hpp>
 #include <utility>
 
@@ -18,11 +19,12 @@ namespace {
 
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint64_t most_cases = 1000, least = 5;
-constexpr double most_seconds = 0.5;
+constexpr std::uint64_t tried_cases = 2000, least = 3;
+constexpr double most_seconds = 2;  // of slow subjects
 
 /// How a feature is written. `scale`: its values are log2 of a size over the largest exponent of the scalar.
-enum class Written { number, scale, flag, count };
+/// `sign`: only its sign is looked at, since its size follows from an angle.
+enum class Written { number, scale, flag, count, sign };
 struct Name {
   Feature feature;
   const char* name;
@@ -31,13 +33,13 @@ struct Name {
 };
 /// The simplest first. Angles are left out: bands tell of them.
 constexpr Name names[] = {
-    {Feature::w, "w", "", Written::number},
+    {Feature::w, "w", "", Written::sign},
     {Feature::x_negative, "x < 0", "x >= 0", Written::flag},
     {Feature::y_negative, "y < 0", "y >= 0", Written::flag},
     {Feature::z_negative, "z < 0", "z >= 0", Written::flag},
-    {Feature::product, "Q0 . Q1", "", Written::number},
-    {Feature::second_w, "w of the second quaternion", "", Written::number},
-    {Feature::trace, "trace(R)", "", Written::number},
+    {Feature::product, "Q0 . Q1", "", Written::sign},
+    {Feature::second_w, "w of the second quaternion", "", Written::sign},
+    {Feature::trace, "trace(R)", "", Written::sign},
     {Feature::zeros, "zeros among x, y, z", "", Written::count},
     {Feature::largest, "the largest of |x|, |y|, |z| is number", "", Written::count},
     {Feature::octant, "the octant of x, y, z", "", Written::count},
@@ -168,10 +170,10 @@ class ConditionSearch {
   ConditionSearch(const Series& series, std::size_t output, const std::function<bool(std::size_t band)>& looked_at)
       : series_(series), trial_(series, output, looked_at) {}
 
-  std::optional<Condition> run(std::uint64_t seed, std::uint64_t cases) {
+  std::optional<Condition> run(std::uint64_t seed) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_seconds);
     std::uint64_t failed = 0;
-    for (std::uint64_t i = 0; i < std::min(cases, most_cases); ++i) {
+    for (std::uint64_t i = 0; i < tried_cases; ++i) {
       if (stop_requested || std::chrono::steady_clock::now() > end) break;
       if (auto t = trial_(series_.numbers(series_.id(seed, i)))) failed += t->failed, all_.push_back(std::move(*t));
     }
@@ -182,7 +184,10 @@ class ConditionSearch {
       for (const Condition& c : candidates(name, failed))
         if (const double cost = errors(c) + 0.02 * static_cast<double>(failed) * borders(name, c); cost < least_cost)
           best = c, least_cost = cost;
-    if (!best || 20 * best->failed < 19 * failed || 10 * best->failed < 9 * best->cases) return std::nullopt;
+    if (!best || 20 * best->failed < 19 * failed) return std::nullopt;
+    const double inside = static_cast<double>(best->failed) / static_cast<double>(best->cases),
+                 all = static_cast<double>(failed) / static_cast<double>(all_.size());
+    if (inside < 0.9 && (inside < 0.25 || inside < 3 * all)) return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);
     return best;
   }
@@ -194,7 +199,7 @@ class ConditionSearch {
   /// How many borders of a condition are no natural ones: a zero, or those of what has whole numbers.
   static int borders(const Name& name, const Condition& c) {
     if (name.written == Written::flag) return 0;
-    const auto chosen = [](double border) { return std::isfinite(border) && border != 0; };
+    const auto chosen = [](double border) { return std::isfinite(border) && std::fabs(border) > 1e-320; };
     const int all = chosen(c.low) + chosen(c.high);
     return name.written == Written::count ? std::min(all, 1) : all;
   }
@@ -220,9 +225,15 @@ class ConditionSearch {
     std::vector<Condition> all;
     const std::size_t few = of_failed.size() / 20;
     const double low = of_failed.front(), high = above(of_failed.back());
-    for (const auto& [from, to] :
-         {std::pair(-infinity, 0.0), std::pair(0.0, infinity), std::pair(-infinity, high), std::pair(low, infinity), std::pair(low, high),
-          std::pair(-infinity, above(of_failed[of_failed.size() - 1 - few])), std::pair(of_failed[few], infinity)}) {
+    const std::pair<double, double> ranges[] = {{0.0, std::numeric_limits<double>::denorm_min()},
+                                                {-infinity, 0.0},
+                                                {0.0, infinity},
+                                                {-infinity, high},
+                                                {low, infinity},
+                                                {low, high},
+                                                {-infinity, above(of_failed[of_failed.size() - 1 - few])},
+                                                {of_failed[few], infinity}};
+    for (const auto& [from, to] : std::span(ranges).first(name.written == Written::sign ? 3 : 8)) {
       Condition c{name.feature, from, to};
       count(c);
       if (c.elsewhere > 0) all.push_back(c);
@@ -232,9 +243,9 @@ class ConditionSearch {
   /// Moves a border of the condition to where inputs between a failing and a passing one change.
   void refine(Condition& c, bool low) {
     const double border = low ? c.low : c.high;
-    if (border == 0) return;
+    if (std::fabs(border) < 1e-320) return;
     const Name& name = *std::ranges::find(names, c.feature, &Name::feature);
-    if (!std::isfinite(border) || name.written == Written::flag || name.written == Written::count) return;
+    if (!std::isfinite(border) || name.written > Written::scale) return;
     const Tried *in = nullptr, *out = nullptr;  // the nearest to the border on both sides
     for (const Tried& t : all_) {
       const double v = t.features[c.feature];
@@ -283,9 +294,8 @@ class ConditionSearch {
 }  // namespace
 
 std::optional<Condition> condition_of(const Series& series, std::size_t output, std::uint64_t seed,
-                                      std::uint64_t cases,
                                       const std::function<bool(std::size_t band)>& looked_at) {
-  return ConditionSearch(series, output, looked_at).run(seed, cases);
+  return ConditionSearch(series, output, looked_at).run(seed);
 }
 
 std::string text_of(const Condition& c, const Scalar& scalar) {
@@ -296,6 +306,7 @@ std::string text_of(const Condition& c, const Scalar& scalar) {
                                             : fmt::format("{:.2g}{}", v, name.unit);
   };
   if (name.written == Written::flag) return c.low > 0 ? name.name : name.unit;
+  if (c.low == 0 && c.high == std::numeric_limits<double>::denorm_min()) return fmt::format("{} = 0", name.name);
   const bool below = c.low == -infinity, above = c.high == infinity;
   if (name.written == Written::count && (!above || below)) {
     const double first = std::ceil(c.low), last = std::ceil(c.high) - 1;

@@ -22,11 +22,10 @@ struct Condition {
 std::string text_of(const Condition& condition, const Scalar& scalar);
 
 /// The condition, of those that are no angle, that holds for nearly all failing inputs of an output and for few others; none
-/// if there is no such condition, or if fewer than five inputs fail or pass. It looks at the first cases of the campaign,
-/// at most a thousand in half a second, then searches each border between a failing and a passing input by bisection.
+/// if there is no such condition, or if fewer than three inputs fail or pass. It looks at the first 2000 cases of the seed,
+/// for at most two seconds, then searches each border between a failing and a passing input by bisection.
 /// Cases in whose band `looked_at` is false are left out.
 std::optional<Condition> condition_of(const Series& series, std::size_t output, std::uint64_t seed,
-                                      std::uint64_t cases,
                                       const std::function<bool(std::size_t band)>& looked_at);
 
 }  // namespace liecheck::properties
