@@ -144,7 +144,7 @@ std::vector<double> point_between(const Series& series, const std::vector<double
                matrix = n == 9 && f.kind == Kind::rotation_matrix;
     double square = 0;
     for (std::size_t i = at; i < at + n; ++i) x[i] = (1 - t) * a[i] + t * b[i], square += x[i] * x[i];
-    if (quaternion && f.kind == Kind::quaternion)
+    if ((quaternion && f.kind == Kind::quaternion) || f.kind == Kind::direction)
       for (std::size_t i = at; i < at + n; ++i) x[i] /= std::sqrt(square);
     if (matrix) {
       using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -152,7 +152,8 @@ std::vector<double> point_between(const Series& series, const std::vector<double
       Eigen::Map<Rows>{&x[at]} = Eigen::Quaterniond(R0).slerp(t, Eigen::Quaterniond(R1)).toRotationMatrix();
     }
     const bool smooth = quaternion || matrix || f.kind == Kind::vector || f.kind == Kind::rotation_vector ||
-                        f.kind == Kind::fraction || f.kind == Kind::angle || f.kind == Kind::positive;
+                        f.kind == Kind::fraction || f.kind == Kind::angle || f.kind == Kind::positive ||
+                        f.kind == Kind::direction;
     if (!smooth)
       for (std::size_t i = at; i < at + n; ++i) {
         if (a[i] != b[i]) return {};
@@ -271,7 +272,13 @@ class ConditionSearch {
       (t->failed ? a : b) = x;
     }
     Condition moved = c;
-    (low ? moved.low : moved.high) = rounded(inside, outside);
+    double to = rounded(inside, outside);
+    if (name.written == Written::scale) {  // the shortest size, not the shortest logarithm
+      const double most = series_.format().max_exponent;
+      const double size = std::log2(rounded(std::exp2(inside * most), std::exp2(outside * most))) / most;
+      if (std::isfinite(size)) to = size;
+    }
+    (low ? moved.low : moved.high) = to;
     count(moved);
     if (errors(moved) <= errors(c)) c = moved;
   }
