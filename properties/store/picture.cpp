@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
-#include <store/merge.hpp>
 #include <support/svg.hpp>
 #include <vector>
 
@@ -37,7 +35,7 @@ struct Line {
   std::optional<double> before, after;
 };
 
-/// The errors that `changes` compares.
+/// The errors that are compared.
 Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
   Line line{
       fmt::format("{} {}, {}", n[0], n[1], n[2]), fmt::format("{}, {}, {}", n[3], n[4], n[5]), "", {}, {}};
@@ -57,13 +55,11 @@ Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
   return line;
 }
 
-/// The lines of one direction, a cell once.
+/// The lines of one direction.
 std::vector<Line> lines_of(const StoredCampaign& a, const StoredCampaign& b,
                            const std::vector<Change>& changes) {
   std::vector<Line> lines;
-  std::set<Name> seen;
-  for (const Change& c : changes)
-    if (seen.insert(c.name).second) lines.push_back(line_of(a, b, c.name));
+  for (const Change& c : changes) lines.push_back(line_of(a, b, c.name));
   std::ranges::stable_sort(lines, {}, &Line::group);
   return lines;
 }
@@ -138,8 +134,8 @@ std::string section(const std::vector<Line>& lines, std::size_t most, const char
 
 }  // namespace
 
-std::string picture_of_changes(const StoredCampaign& a, const StoredCampaign& b) {
-  const auto worse = lines_of(a, b, changes(a, b)), better = lines_of(a, b, changes(b, a));
+std::string picture_of(const Comparison& comparison, const StoredCampaign& a, const StoredCampaign& b) {
+  const auto worse = lines_of(a, b, comparison.worse), better = lines_of(a, b, comparison.better);
   const std::string title = fmt::format("liecheck: {} cells worse, {} better, of {} compared", worse.size(),
                                         better.size(), cells_in_both(a, b));
   std::vector<Line> all(worse.begin(),

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <store/compare.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
@@ -332,7 +333,7 @@ TEST_F(LimitsInStores, ThatDifferAreNeitherMergedNorComparedNorResumed) {
   const std::string words = fmt::format("limits of liecheck: own.limits ({}) against ", hash_of(*own));
   for (const std::string& with : {b, c}) {
     EXPECT_NE(error([&] { merge({a, with}, false); }).find(words), std::string::npos);
-    EXPECT_NE(error([&] { worse(load_campaign(a), load_campaign(with)); }).find(words), std::string::npos);
+    EXPECT_NE(error([&] { compared(load_campaign(a), load_campaign(with)); }).find(words), std::string::npos);
   }
   EXPECT_NE(error([&] { store("a", nullptr, 1, true); }).find(words + "none"), std::string::npos);
   EXPECT_EQ(error([&] { merge({a, store("d", own, 2)}, false); }), "");

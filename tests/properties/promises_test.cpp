@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <store/compare.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
@@ -156,7 +157,7 @@ TEST_F(Promises, ByDifferentProfilesAreNeitherMergedNorComparedNorResumed) {
   EXPECT_NE(error([&] { merge({a, b}, false); }).find("profile careful"), std::string::npos);
   EXPECT_NE(error([&] { store("a", std::nullopt, 1, true); }).find("profile careful"), std::string::npos);
   EXPECT_NE(error([&] {
-              worse(load_campaign(a), load_campaign(b));
+              compared(load_campaign(a), load_campaign(b));
             }).find("profile of promises:thirty: careful against ours"),
             std::string::npos);
   EXPECT_EQ(error([&] { merge({b, store("c", Profile::ours)}, false); }), "");
