@@ -10,10 +10,6 @@ namespace {
 constexpr std::uint64_t least_cases = 100;
 constexpr double height = 100;
 
-bool is_moderate(const Band& b) {
-  return (b.axis == Axis::theta && b.high == 1) || (b.axis == Axis::none && b.low == 1);
-}
-
 /// The largest figure of the nearest measured band on either side, or 0 if a side has none.
 double of_neighbours(const std::vector<double>& figures, std::size_t band) {
   const auto measured = [](double figure) { return figure > 0; };
@@ -29,7 +25,7 @@ std::optional<Cliff> highest(const CliffTerms& terms, std::size_t output, const 
   const std::vector<Band>& bands = terms.bands.all();
   double moderate = 0;
   for (std::size_t b = 0; b < bands.size(); ++b)
-    if (is_moderate(bands[b])) moderate = std::max(moderate, figures[b]);
+    if (is_reference(bands[b])) moderate = std::max(moderate, figures[b]);
   std::vector<Cliff> found;
   for (std::size_t b = 0; b < bands.size(); ++b)
     for (const bool from_moderate : {true, false}) {
@@ -42,6 +38,10 @@ std::optional<Cliff> highest(const CliffTerms& terms, std::size_t output, const 
 }
 
 }  // namespace
+
+bool is_reference(const Band& b) {
+  return (b.axis == Axis::theta && b.high == 1) || (b.axis == Axis::none && b.low == 1);
+}
 
 double cliff_figure(const Row& row, Rule rule) {
   if (row.errors.count() < least_cases) return 0;

@@ -26,6 +26,9 @@ struct CliffTerms {
   std::function<bool(std::size_t output, std::size_t band)> expected;
 };
 
+/// Whether a band has moderate angles.
+bool is_reference(const Band& band);
+
 /// The figure of a band; 0 if less than 100 cases were measured.
 double cliff_figure(const Row& row, Rule rule);
 
