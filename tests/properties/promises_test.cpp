@@ -343,6 +343,7 @@ TEST_F(Promises, AreKeptWithOtherSeedsSinceWhatNoLimitCanPromiseIsExpected) {
                                seed)),
               0)
         << out();
+  EXPECT_NE(out().find(" more that are as expected: --all lists them\n"), std::string::npos) << out();
   EXPECT_EQ(code("promise liecheck --limits d.limits --out q.limits"), 2);
 }
 
