@@ -115,10 +115,10 @@ void print_series(const Series& series, const Tally& tally) {
                      : "");
 }
 
-/// Prints each cliff, with the worst case of its band, and what became of the expected failures. Those of blocks that fail
-/// belong to their findings.
-void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& failed) {
-  const char* before = "\n";
+/// Prints each cliff, with the worst case of its band, and what became of the expected failures, at most six lines of what
+/// is as expected unless `all`. Those of blocks that fail belong to their findings.
+void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& failed, bool all) {
+  std::vector<std::string> expected, others;
   for (const auto& [series, tally] : r.series)
     for (const Cliff& c : cliffs_of(*series, tally)) {
       const Output& output = series->outputs[c.output];
@@ -127,12 +127,21 @@ void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& faile
           }))
         continue;
       const Row& row = tally.rows.at({static_cast<int>(c.output), static_cast<int>(c.band)});
-      say("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
-          c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
-          series->scalar, series->id(r.options.seed, row.worst_index).text(), replay_flags(*series, r.robot));
-      before = "";
+      (c.expected ? expected : others)
+          .push_back(fmt::format(
+              "{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", c.expected ? "expected " : "",
+              text_of(*series, c), series->property, series->subject, series->scalar,
+              series->id(r.options.seed, row.worst_index).text(), replay_flags(*series, r.robot)));
     }
-  for (const Expectation& e : expectations_of(r)) say("{}{}\n", std::exchange(before, ""), text_of(e));
+  for (const Expectation& e : expectations_of(r))
+    (e.passed() ? others : expected).push_back(text_of(e) + "\n");
+  constexpr std::size_t most = 6;
+  const std::size_t hidden = all || expected.size() <= most ? 0 : expected.size() - most;
+  expected.resize(expected.size() - hidden);
+  others.insert(others.end(), expected.begin(), expected.end());
+  const char* before = "\n";
+  for (const std::string& line : others) say("{}{}", std::exchange(before, ""), line);
+  if (hidden) say("and {} more that are as expected: --all lists them\n", hidden);
 }
 
 /// Prints what the series did not measure, at most six lines of each unless `all`.
@@ -228,7 +237,7 @@ void print_details(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
   say("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   print_failures(r, f.all);
-  print_cliffs(r, {});
+  print_cliffs(r, {}, f.all);
   print_not_measured(r, f.all);
   print_coverage(r);
   say("\n{}inputs  {}\nresults {}\n", fmt::join(limits_of(r), ""), r.inputs_digest, r.results_digest);
@@ -268,7 +277,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
                             : many == 1 ? ": 1 finding"
                                         : fmt::format(": {} findings, the worst first", many)));
   print_findings(findings, r, f.all);
-  if (!f.verbose) print_cliffs(r, failed), print_not_measured(r, f.all);
+  if (!f.verbose) print_cliffs(r, failed, f.all), print_not_measured(r, f.all);
   for (const std::string& name : without_trees(f))
     fmt::print(
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "

@@ -4,12 +4,10 @@
 #include <optional>
 #include <record/record.hpp>
 #include <rules/rules.hpp>
-#include <set>
 #include <sstream>
-#include <store/merge.hpp>
+#include <store/comment.hpp>
 #include <store/picture.hpp>
 #include <store/store_path.hpp>
-#include <store/times.hpp>
 #include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/say.hpp>
@@ -21,7 +19,7 @@ namespace {
 struct CompareFlags {
   std::string before, after, markdown, picture, json;
   std::vector<std::string> cost;
-  bool rules = false;
+  bool rules = false, strict = false;
 };
 
 /// Prints on stderr if a store lacks cases of its campaign or verdicts on them, because then the comparison
@@ -61,17 +59,15 @@ nlohmann::json record_of(const std::vector<Change>& changes) {
   return all;
 }
 
-/// Prints each change, and below the last one of a cell the replay of its worst case.
+/// Prints the worst cell of each block, and below it the replay of its worst case.
 void print_changes(const std::vector<Change>& changes) {
   std::string text;
   {
     Counted drawn("drawing the worst cases", "cells", 16);  // which clears its line before the text
-    for (std::size_t i = 0; i < changes.size(); ++i) {
+    for (const Change& c : by_block(changes)) {
       drawn.next();
-      const Change& c = changes[i];
       text += c.text() + "\n";
-      const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
-      std::istringstream replay(last ? replay_of(c) : "");
+      std::istringstream replay(replay_of(c));
       for (std::string line; std::getline(replay, line);) text += "  " + line + "\n";
     }
   }
@@ -89,43 +85,45 @@ int run(const CompareFlags& f) {
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
   bool partial = print_if_partial(f.before, a);
   partial = print_if_partial(f.after, b) || partial;
-  if (cells_in_both(a, b) == 0) {
+  const std::size_t cells = cells_in_both(a, b);
+  if (cells == 0) {
     warn(fmt::format("liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after));
     partial = true;
   }
-  const auto got_worse = changes(a, b);
+  const Comparison all = compared(a, b, f.strict);
+  const bool failed = !all.worse.empty();
   if (!f.markdown.empty())
-    write_whole(f.markdown,
-                in_markdown(a, b, f.picture) + (times ? "\n" + in_markdown(*times) : std::string()));
-  if (!f.picture.empty()) write_whole(f.picture, picture_of_changes(a, b));
+    write_whole(f.markdown, in_markdown(all, {cells, f.picture, times ? &*times : nullptr}));
+  if (!f.picture.empty()) write_whole(f.picture, picture_of(all, a, b));
   if (!f.json.empty())
-    write_record(f.json, {{"verdict", verdict_of(!partial || !got_worse.empty(), got_worse.empty())},
-                          {"compared_cells", cells_in_both(a, b)},
-                          {"worse", record_of(got_worse)},
-                          {"better", record_of(changes(b, a))}});
-  print_changes(got_worse);
+    write_record(f.json, {{"verdict", verdict_of(!partial || failed, !failed)},
+                          {"compared_cells", cells},
+                          {"worse", record_of(all.worse)},
+                          {"better", record_of(all.better)},
+                          {"other", record_of(all.other)}});
+  print_changes(all.worse);
   if (times) say("{}", text_of(*times));
-  std::set<std::array<std::string, 6>> cells;
-  for (const Change& c : got_worse) cells.insert(c.name);
-  say("{} worse\n", cells.empty()       ? "nothing is"
-                    : cells.size() == 1 ? "1 cell is"
-                                        : fmt::format("{} cells are", cells.size()));
-  return !got_worse.empty() ? property_failed : partial ? incomplete : within_budget;
+  say("{}{}\n", summary_of(all), all.other.empty() ? "" : " (--markdown and --json list them)");
+  return failed ? property_failed : partial ? incomplete : within_budget;
 }
 
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  CommandWith<CompareFlags> a(
-      program, "compare",
-      "print what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
-      "did; 2 for bad input; 3 if a store lacks cases or verdicts");
+  CommandWith<CompareFlags> a(program, "compare",
+                              "print what got worse from store A to store B: failures, NaN, wrong branches "
+                              "and cliffs that are new, and "
+                              "errors that more than doubled and thereby used up a quarter of their limit. "
+                              "Exit code 0 if nothing did; 1 if "
+                              "anything did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   a.text("--markdown", a->markdown, "FILE",
          "also write what got worse and better as Markdown, for a comment on a pull request");
   a.text("--picture", a->picture, "FILE.svg",
          "also draw what got worse and better; the Markdown shows the picture by this name");
+  a.toggle("--strict", a->strict,
+           "every difference beyond a rounding is worse or better, however far from its limit");
   a.list("--cost", a->cost, "FILE",
          "compare times, too: the record of 'liecheck cost --json' for A, and again for B");
   a.json(a->json, "also write what got worse and better, with the worst case of each cell, to FILE");

@@ -90,12 +90,17 @@ using Four = std::array<double, 4>;
 Four four(const double* x) {
   return {x[0], x[1], x[2], x[3]};
 }
+/// a b - c d, without cancellation of the rounding errors of the products (Kahan).
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) - std::fma(c, d, -cd);
+}
 /// The angle of a* b.
 double angle_between(const Four& a, const Four& b) {
   std::array<double, 3> v{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    v[i] = a[3] * b[i] - b[3] * a[i] - (a[j] * b[k] - a[k] * b[j]);
+    v[i] = difference_of_products(a[3], b[i], b[3], a[i]) - difference_of_products(a[j], b[k], a[k], b[j]);
   }
   const double w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   return 2 * std::atan2(norm(v.data(), 3), std::fabs(w));
@@ -145,55 +150,56 @@ Domain::Domain(const std::vector<DomainBound>& bounds, const std::vector<Field>&
     for (const DomainBound& b : bounds) {
       if (b.operation ? b.operation != &o
                       : std::any_of(bounds.begin(), bounds.end(), [&](const DomainBound& other) {
-                          return other.operation == &o && other.quantity == b.quantity;
+                          return other.operation == &o && other.quantity == b.quantity &&
+                                 other.lower == b.lower;
                         }))
         continue;
       const bool turned = b.quantity == Quantity::angle;
       auto groups = turned ? angle : groups_of(o, [&](const Field& f) { return is(b.quantity, o, f); });
-      if (!groups.empty()) tests_.push_back({b.largest, turned, std::move(groups), angles_.size() - 1});
+      if (!groups.empty())
+        tests_.push_back({b.bound, b.lower, turned, std::move(groups), angles_.size() - 1});
     }
   }
 }
 
 namespace {
 
-/// The largest angle of rotation vectors or matrices, or between the quaternions of two configurations.
+/// The angle of rotation vectors or matrices, or between the quaternions of two configurations; of the latter the second
+/// has none.
 template <class Groups>
-double largest_angle(const std::vector<double>& x, const Groups& groups) {
-  double largest = -1;
+double angle_of(const std::vector<double>& x, const Groups& groups, std::size_t i) {
   const std::size_t n = groups.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto& g = groups[i];
-    const double* at = x.data() + g.from;
-    double angle = 0;
-    if (is_quaternion(g.kind) && n > 1)
-      angle = i < n / 2 ? angle_between(four(at), four(x.data() + groups[i + n / 2].from)) : 0;
-    else if (is_quaternion(g.kind))
-      angle = angle_between({0, 0, 0, 1}, four(at));
-    else if (g.kind == Kind::rotation_matrix)
-      angle = angle_of_matrix(at);
-    else
-      angle = g.size == 2 ? std::max(norm(at, 1), norm(at + 1, 1)) : norm(at, g.size);
-    largest = std::max(largest, angle);
-  }
-  return largest;
+  const auto& g = groups[i];
+  const double* at = x.data() + g.from;
+  if (is_quaternion(g.kind) && n > 1)
+    return i < n / 2 ? angle_between(four(at), four(x.data() + groups[i + n / 2].from)) : 0;
+  if (is_quaternion(g.kind)) return angle_between({0, 0, 0, 1}, four(at));
+  if (g.kind == Kind::rotation_matrix) return angle_of_matrix(at);
+  return g.size == 2 ? std::max(norm(at, 1), norm(at + 1, 1)) : norm(at, g.size);
 }
 
 }  // namespace
 
+bool Domain::Test::excludes(const std::vector<double>& x) const {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const double size = angle ? angle_of(x, groups, i) : norm(x.data() + groups[i].from, groups[i].size);
+    if (lower ? size > 0 && size < bound : !(size <= bound)) return true;
+  }
+  return false;
+}
+
 std::vector<bool> Domain::outside(const std::vector<double>& x) const {
   std::vector<bool> all(angles_.size(), false);
-  for (const Test& t : tests_) {
-    double size = t.angle ? largest_angle(x, t.groups) : 0;
-    if (!t.angle)
-      for (const Group& g : t.groups) size = std::max(size, norm(x.data() + g.from, g.size));
-    if (!(size <= t.largest)) all[t.output] = true;
-  }
+  for (const Test& t : tests_)
+    if (t.excludes(x)) all[t.output] = true;
   return all;
 }
 
 double Domain::angle(const std::vector<double>& x, std::size_t output) const {
-  return largest_angle(x, angles_[output]);
+  double largest = -1;
+  for (std::size_t i = 0; i < angles_[output].size(); ++i)
+    largest = std::max(largest, angle_of(x, angles_[output], i));
+  return largest;
 }
 
 }  // namespace liecheck::properties

@@ -32,7 +32,9 @@ bool takes(const Operation& operation, Quantity quantity);
 struct DomainBound {
   const Operation* operation;  ///< null: every operation that has no bound of its own for this quantity
   Quantity quantity;
-  double largest;  ///< the norm of a vector or matrix may not exceed it
+  double bound;        ///< of the norm of a vector or matrix
+  bool lower = false;  ///< it may be 0 or not below the bound, in place of not above it
+  std::string reason = {};
 };
 
 /// A domain for the inputs of one law.
@@ -54,10 +56,11 @@ class Domain {
     std::size_t from, size;
   };
   struct Test {
-    double largest;
-    bool angle;
+    double bound;
+    bool lower, angle;
     std::vector<Group> groups;
     std::size_t output;
+    bool excludes(const std::vector<double>& x) const;
   };
   std::vector<Test> tests_;
   std::vector<std::vector<Group>> angles_;  ///< by output

@@ -16,7 +16,8 @@ namespace liecheck::properties {
 
 namespace {
 
-constexpr int format_version = 2;  ///< which added `profile` and [expected]
+constexpr int format_version =
+    3;  ///< 2 added `profile` and [expected], 3 lower bounds and reasons in [domain]
 
 std::string trimmed(const std::string& text) {
   const char* const space = " \t\r";
@@ -133,21 +134,27 @@ class Parser {
     limits_.lines.push_back(b);
   }
 
-  /// operation, quantity = largest
-  void read_bound(const std::string& key, const std::string& value) {
-    const auto names = parts_of(key);
+  /// operation, quantity = largest, reason; or operation, quantity >= smallest, reason
+  void read_bound(std::string key, const std::string& value) {
+    const bool lower = key.ends_with('>');
+    if (lower) {
+      check_version("a lower bound", 3);
+      key = trimmed(key.substr(0, key.size() - 1));
+    }
+    const auto names = parts_of(key), cells = parts_of(value, 2);
     if (names.size() != 2) refuse(fmt::format("'{}' is not of the form OPERATION, QUANTITY", key));
+    if (cells.size() > 1) check_version("the reason of a bound", 3);
     check_operation(names[0]);
     check_among("quantity", names[1], quantity_names());
     const auto& known = quantity_names();
     DomainBound b{nullptr,
                   static_cast<Quantity>(std::find(known.begin(), known.end(), names[1]) - known.begin()),
-                  positive("bound", value)};
+                  positive("bound", cells[0]), lower, cells.size() > 1 ? cells[1] : ""};
     for (const Operation* o : all_operations())
       if (o->name == names[0]) b.operation = o;
     if (b.operation && !takes(*b.operation, b.quantity))
       refuse(fmt::format("'{}' names nothing: {} takes no {}", key, names[0], names[1]));
-    check_new(fmt::format("domain {}, {}", names[0], names[1]));
+    check_new(fmt::format("domain {}, {}{}", names[0], names[1], lower ? " >=" : ""));
     limits_.domain.push_back(b);
   }
 

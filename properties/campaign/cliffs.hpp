@@ -3,6 +3,7 @@
 // docs/limits.md, section Cliffs. No limit excuses one.
 
 #include <campaign/series.hpp>
+#include <functional>
 
 namespace liecheck::properties {
 
@@ -17,8 +18,22 @@ struct Cliff {
   double ratio() const { return figure / reference; }
 };
 
-/// By output; beside an expected one there may be another. A band needs 100 measured cases, and a cliff is a
-/// hundred times its reference.
+/// What judges the rows of a series: a stored one has no law.
+struct CliffTerms {
+  std::size_t outputs;
+  const Bands& bands;
+  std::function<Rule(std::size_t output, Region region)> rule;
+  std::function<bool(std::size_t output, std::size_t band)> expected;
+};
+
+/// Whether a band has moderate angles.
+bool is_reference(const Band& band);
+
+/// The figure of a band; 0 if less than 100 cases were measured.
+double cliff_figure(const Row& row, Rule rule);
+
+/// By output; beside an expected one there may be another. A cliff is a hundred times its reference.
+std::vector<Cliff> cliffs_of(const CliffTerms& terms, const Rows& rows);
 std::vector<Cliff> cliffs_of(const Series& series, const Tally& tally);
 
 /// "exp6 translation at theta 1e-8..1e-7: 1e+07 times its error at moderate angles (2e+07 against 2 eps)".

@@ -12,9 +12,6 @@
 
 namespace liecheck::properties {
 
-namespace {
-
-/// The outcomes of a row without an error in eps, worst first.
 std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
   std::vector<std::pair<std::uint64_t, const char*>> all{
       {r.crashed, "crashed"},
@@ -29,6 +26,8 @@ std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
   std::erase_if(all, [](const auto& o) { return o.first == 0; });
   return all;
 }
+
+namespace {
 
 double score_of(const BandOf& b) {
   const Budget& budget = b.series->budget(b.output, b.series->bands()[b.band].region);

@@ -32,6 +32,9 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign);
 /// Finds the worst band again, and the figures that follow from it, after `fails` of a band has changed; none may fail.
 void find_worst(FailedBlock& block);
 
+/// The outcomes of a row without an error in eps, with their numbers of cases, worst first.
+std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& row);
+
 /// How many cases of a row had which outcome without an error in eps, worst first; "" if none had.
 std::string outcomes_of(const Row& row);
 

@@ -62,11 +62,15 @@ struct Climb {
     if (j.residual.outcome == Outcome::outside_domain) return;
     if (leaves_open(j.residual.outcome) && worst.open++ == 0) worst.first_open_id = raw_id(input);
     if (j.residual.outcome != Outcome::measured) {
-      if (j.failed && worst.broken++ == 0) worst.first_broken = j, worst.first_broken_id = raw_id(input);
+      if (!j.failed) return;
+      if (worst.broken++ == 0) worst.first_broken = j, worst.first_broken_id = raw_id(input);
+      WorstOfBand& b = worst.bands[j.residual.band];
+      if (b.broken++ == 0) b.outcome = j.residual.outcome;
       return;
     }
     const double score = score_of(worst, j);
     if (!(score >= 0)) return;
+    worst.bands[j.residual.band].score = std::max(worst.bands[j.residual.band].score, score);
     Elite& e = cells[j.residual.band][island];
     if (score >= e.score) e = {score, input};
     if (score > worst.score) {
@@ -117,6 +121,7 @@ HuntResult hunt_in(const Series& series, const HuntOptions& options) {
   for (const Worst& w : objectives_of(series, options, limits)) {
     climbs.push_back({w, &series.format(), {}, {}, {}});
     climbs.back().cells.resize(series.bands().all().size());
+    climbs.back().worst.bands.resize(series.bands().all().size());
   }
   HuntResult result;
   if (climbs.empty()) return result;

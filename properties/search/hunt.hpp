@@ -25,6 +25,13 @@ struct HuntOptions {
   std::function<void(std::uint64_t evaluations, double share, double worst)> progress;
 };
 
+/// What a search found in one band of one output.
+struct WorstOfBand {
+  double score = -1;  ///< as Worst::score
+  std::uint64_t broken = 0;
+  Outcome outcome = Outcome::measured;  ///< of the first broken one
+};
+
 /// The worst input of one output.
 struct Worst {
   int output = 0;
@@ -40,6 +47,7 @@ struct Worst {
   CaseId first_broken_id;
   std::uint64_t open = 0;  ///< number of evaluations without a verdict: unresolved or unmeasured
   CaseId first_open_id;
+  std::vector<WorstOfBand> bands;
 };
 
 struct HuntResult {

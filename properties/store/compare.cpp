@@ -1,162 +1,270 @@
+#include <store/compare.hpp>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
-#include <array>
 #include <campaign/case_id.hpp>
-#include <campaign/robots.hpp>
-#include <campaign/selection.hpp>
-#include <cmath>
-#include <cstdlib>
+#include <campaign/cliffs.hpp>
 #include <set>
 #include <stdexcept>
-#include <store/merge.hpp>
-#include <store/sampling.hpp>
-#include <support/markdown.hpp>
+#include <store/row_changes.hpp>
 #include <support/progress.hpp>
+#include <tuple>
 
 namespace liecheck::properties {
 
 namespace {
 
 using Name = std::array<std::string, 6>;
+using BlockName = std::array<std::string, 5>;
 
-struct Measured {
-  const StoredSeries* series;
-  const Row* row;
+BlockName block_of(const Name& n) {
+  return {n[0], n[1], n[2], n[3], n[4]};
+}
+
+/// What judges the rows of a stored series. The program need not have its subject.
+class Terms {
+ public:
+  Terms(const StoredCampaign& c, const StoredSeries& s)
+      : bands_(Bands::of(oracles::scalar_named(s.scalar))),
+        eps_(oracles::scalar_named(s.scalar).epsilon),
+        table_(budgets(s.subject, profile_named(s.profile).value_or(Profile::careful), eps_)) {
+    for (const auto& limits : c.spec.limits)
+      if (limits->subject == s.subject) own_ = limits.get(), table_ = with_own_limits(table_, limits->lines);
+  }
+  const Bands& bands() const { return bands_; }
+
+  /// Null if the budget table has no such line.
+  const Budget* budget(const Label& l, Region region) const {
+    const char* const name = region == Region::to_pi ? "to_pi" : "beyond_pi";
+    const auto at = std::ranges::find_if(table_, [&](const Budget& b) {
+      return b.operation == l.operation && b.block == l.block && (b.region == "any" || b.region == name);
+    });
+    return at == table_.end() ? nullptr : &*at;
+  }
+  bool expects(const Label& l, const Band& band) const {
+    return own_ && std::ranges::any_of(own_->expected, [&](const ExpectedFailure& e) {
+             return e.operation == l.operation && e.block == l.block && e.inputs.has(band);
+           });
+  }
+  RowTerms of(const Label& l) const {
+    const auto band = std::ranges::find(bands_.all(), l.band, &Band::name);
+    RowTerms terms{.eps = eps_};
+    if (band == bands_.all().end()) return terms;
+    if (const Budget* b = budget(l, band->region)) terms.limit = b->limit, terms.rule = b->rule;
+    terms.expected = expects(l, *band);
+    return terms;
+  }
+
+ private:
+  const Bands& bands_;
+  double eps_;
+  std::vector<Budget> table_;
+  const SubjectLimits* own_ = nullptr;
 };
 
-std::map<Name, Measured> by_name(const StoredCampaign& c, Counted& cells) {
-  std::map<Name, Measured> all;
-  for (const StoredSeries& s : c.series)
-    for (const auto& [cell, row] : s.tally.rows) {
-      const Label& l = s.labels.at(cell);
-      all[{s.subject, s.scalar, s.property, l.operation, l.block, l.band}] = {&s, &row};
-      cells.next();
-    }
-  return all;
-}
-
-/// The ID of the worst case of a cell, or "" if the case cannot be replayed without more flags.
-std::string worst_case(const StoredCampaign& c, const Measured& m) {
-  const StoredSeries& s = *m.series;
-  if (m.row->judged() == 0 || !c.spec.robot.path.empty()) return "";
-  return CaseId{false, c.spec.seed, s.property, s.subject, s.scalar, s.robot, m.row->worst_index, {}}.text();
-}
-
-/// Whether the operation's block is measured in any band.
-bool measured(const std::map<Name, Measured>& all, const Name& n) {
-  Name first = n;
-  first[5] = "";
-  const auto at = all.lower_bound(first);
-  return at != all.end() && std::equal(n.begin(), n.begin() + 5, at->first.begin());
-}
+struct Measured {
+  const StoredSeries* series = nullptr;
+  const Row* row = nullptr;
+};
 
 /// The bands of one block together: a change that is too small for the few cases of a band may show here.
 struct Pooled {
   Measured worst;  ///< with the row of the worst band
-  Row row;
+  std::string band;
+  Row row;  ///< of the bands where no failure is expected
 };
-std::map<Name, Pooled> pooled(const std::map<Name, Measured>& cells, Counted& shown) {
-  std::map<Name, Pooled> all;
-  for (const auto& [name, m] : cells) {
-    shown.next();
-    Name block = name;
-    block[5] = "all bands";
-    Pooled& p = all[block];
-    if (!p.worst.row || m.row->worst_score > p.worst.row->worst_score) p.worst = m;
-    p.row.merge(*m.row);
+
+/// A campaign by the names of its cells.
+struct Side {
+  const StoredCampaign& campaign;
+  std::map<Name, Measured> cells;
+  std::map<BlockName, Pooled> blocks;
+  std::map<const StoredSeries*, Terms> terms;
+  std::map<Name, double> cliffs;  ///< how many times the reference; none that is expected
+
+  Side(const StoredCampaign& c, Counted& shown) : campaign(c) {
+    for (const StoredSeries& s : c.series) {
+      const Terms& t = terms.try_emplace(&s, c, s).first->second;
+      for (const auto& [cell, row] : s.tally.rows) {
+        shown.next();
+        const Label& l = s.labels.at(cell);
+        const Name name{s.subject, s.scalar, s.property, l.operation, l.block, l.band};
+        cells[name] = {&s, &row};
+        Pooled& p = blocks[block_of(name)];
+        const bool counts = !t.of(l).expected;
+        if (!p.worst.row || (counts && row.worst_score > p.worst.row->worst_score))
+          p.worst = {&s, &row}, p.band = l.band;
+        if (counts) p.row.merge(row);
+      }
+      add_cliffs(s, t);
+    }
   }
+  std::uint64_t failed_in(const Name& name) const {
+    const auto at = blocks.find(block_of(name));
+    return at == blocks.end() ? 0 : at->second.row.failed;
+  }
+
+ private:
+  void add_cliffs(const StoredSeries& s, const Terms& t) {
+    std::map<std::size_t, Label> outputs;
+    std::size_t count = 0;
+    for (const auto& [cell, label] : s.labels) {
+      const auto output = static_cast<std::size_t>(cell.first), band = static_cast<std::size_t>(cell.second);
+      if (band >= t.bands().all().size()) return;  // of another generator
+      outputs[output] = label, count = std::max(count, output + 1);
+    }
+    const CliffTerms rules{count, t.bands(),
+                           [&](std::size_t output, Region region) {
+                             const Budget* b = t.budget(outputs.at(output), region);
+                             return b ? b->rule : Rule::forward;
+                           },
+                           [&](std::size_t output, std::size_t band) {
+                             const auto at = outputs.find(output);
+                             return at != outputs.end() && t.expects(at->second, t.bands()[band]);
+                           }};
+    for (const Cliff& c : cliffs_of(rules, s.tally.rows))
+      if (!c.expected)
+        cliffs[{s.subject, s.scalar, s.property, outputs[c.output].operation, outputs[c.output].block,
+                t.bands()[c.band].name}] = c.ratio();
+  }
+};
+
+/// The ID of the worst case of a cell, or "" if the case cannot be replayed without more flags.
+std::string worst_case(const StoredCampaign& c, const Measured& m) {
+  if (!m.row || m.row->judged() == 0 || !c.spec.robot.path.empty()) return "";
+  const StoredSeries& s = *m.series;
+  return CaseId{false, c.spec.seed, s.property, s.subject, s.scalar, s.robot, m.row->worst_index, {}}.text();
+}
+
+bool same_inputs(const Measured& a, const Measured& b) {
+  return a.series->tally.inputs.sum() == b.series->tally.inputs.sum();
+}
+
+/// By cell.
+using Differences = std::map<Name, std::vector<Difference>>;
+
+bool in_own_terms(const Difference& d) {
+  return d.gravity != Gravity::by_little;
+}
+
+/// The new cliff of a block. Where a band had too few cases for a verdict, there is none that is new.
+void add_cliffs(const Side& from, const Side& to, bool back, Differences& all) {
+  for (const auto& [name, ratio] : to.cliffs) {
+    const bool known = std::ranges::any_of(
+        from.cliffs, [&, &n = name](const auto& cliff) { return block_of(cliff.first) == block_of(n); });
+    const auto was = from.cells.find(name);
+    if (known || was == from.cells.end()) continue;
+    const Measured &old = was->second, &now = to.cells.at(name);
+    const Rule rule = to.terms.at(now.series).of({name[3], name[4], name[5]}).rule;
+    const double before = cliff_figure(*old.row, rule);
+    if (before > 0 && cliff_figure(*now.row, rule) > 2 * before)
+      all[name].push_back(
+          {before_after("cliff", "none", fmt::format("{:.1g} times its error elsewhere", ratio), back),
+           Gravity::cliff, ratio});
+  }
+}
+
+/// What is worse in `to` than in `from`, of which `to` is the earlier one if `back`.
+Differences differences(const Side& from, const Side& to, bool back) {
+  Differences all;
+  const char* const gone = back ? "measured for the first time" : "no longer measured";
+  for (const auto& [name, old] : from.cells) {
+    const auto found = to.cells.find(name);
+    const bool known = to.blocks.contains(block_of(name));
+    if (found == to.cells.end()) {
+      if (known && same_inputs(old, to.blocks.at(block_of(name)).worst)) all[name].push_back({gone});
+      continue;
+    }
+    RowTerms terms = to.terms.at(found->second.series).of({name[3], name[4], name[5]});
+    terms.failed_before = from.failed_in(name) > 0;
+    const auto worse = worse_rows(*old.row, *found->second.row, terms, same_inputs(old, found->second), back);
+    if (!worse.empty()) all[name] = worse;
+  }
+  add_cliffs(from, to, back, all);
+  for (const auto& [block, is] : to.blocks) {
+    const auto old = from.blocks.find(block);
+    Name name{block[0], block[1], block[2], block[3], block[4], "all bands"};
+    if (old == from.blocks.end()) {
+      if (!back && is.row.failed > 0)
+        all[name].push_back({fmt::format("failed: not measured → {} of {}", is.row.failed, is.row.judged()),
+                             Gravity::crossed, 0});
+      continue;
+    }
+    if (same_inputs(old->second.worst, is.worst)) continue;
+    // What the bands alone show is not said again.
+    Gravity seen = Gravity::by_little;
+    bool any = false;
+    for (auto at = all.lower_bound({block[0], block[1], block[2], block[3], block[4], ""});
+         at != all.end() && block_of(at->first) == block; ++at)
+      for (const Difference& d : at->second) any = true, seen = std::max(seen, d.gravity);
+    RowTerms terms = to.terms.at(is.worst.series).of({block[3], block[4], is.band});
+    terms.failed_before = old->second.row.failed > 0, terms.expected = false;
+    for (const Difference& d : worse_rows(old->second.row, is.row, terms, false, back))
+      if (!any || d.gravity > seen) all[name].push_back(d);
+  }
+  for (const auto& [block, old] : from.blocks)
+    if (!to.blocks.contains(block) && (!back || old.row.failed == 0))
+      all[{block[0], block[1], block[2], block[3], block[4], "all bands"}].push_back({gone});
   return all;
 }
 
-/// Adds the blocks that are worse in all bands together, but in none of them alone.
-void add_pooled(std::vector<Change>& all, const StoredCampaign& b, const std::map<Name, Measured>& before,
-                const std::map<Name, Measured>& after, Counted& cells) {
-  std::set<Name> alone;
-  for (Change c : all) c.name[5] = "all bands", alone.insert(c.name);
-  const auto was = pooled(before, cells);
-  for (const auto& [name, is] : pooled(after, cells)) {
-    const auto old = was.find(name);
-    if (old == was.end() || alone.contains(name) ||
-        old->second.worst.series->tally.inputs.sum() == is.worst.series->tally.inputs.sum())
-      continue;
-    for (const std::string& what : worse_by_more_than_chance(old->second.row, is.row))
-      all.push_back({name, what, worst_case(b, is.worst)});
+/// Cases in which the fast oracle disagrees with the slow one fail a campaign.
+void add_disagreements(const Side& from, const Side& to, bool back, Differences& all) {
+  std::map<Name, std::size_t> before;
+  for (const StoredSeries& s : from.campaign.series)
+    before[{s.subject, s.scalar, s.property}] = s.tally.disagreed.size();
+  for (const StoredSeries& s : to.campaign.series) {
+    const Name name{s.subject, s.scalar, s.property};
+    const std::size_t was = before[name], is = s.tally.disagreed.size();
+    if (is > was)
+      all[name].push_back({before_after("cases in which the fast oracle disagrees with the slow one",
+                                        fmt::format("{}", was), fmt::format("{}", is), back),
+                           was == 0 ? Gravity::crossed : Gravity::by_little, 0});
   }
+}
+
+/// Sorts the differences of each cell and the cells, the most important first.
+std::vector<Change> listed(const Differences& all, const Side& after) {
+  struct Listed {
+    std::vector<Difference> differences;
+    Change change;
+    const Difference& first() const { return differences.front(); }
+  };
+  const auto before = [](const Difference& a, const Difference& b) {
+    return std::tuple(b.gravity, b.size) < std::tuple(a.gravity, a.size);
+  };
+  std::vector<Listed> cells;
+  for (const auto& [name, differences] : all) {
+    Listed& l = cells.emplace_back(Listed{differences, {name, "", ""}});
+    std::ranges::stable_sort(l.differences, before);
+    for (const Difference& d : l.differences) l.change.what += (l.change.what.empty() ? "" : "; ") + d.what;
+    if (const auto cell = after.cells.find(name); cell != after.cells.end())
+      l.change.worst_case = worst_case(after.campaign, cell->second);
+    else if (const auto block = after.blocks.find(block_of(name)); block != after.blocks.end())
+      l.change.worst_case = worst_case(after.campaign, block->second.worst);
+  }
+  std::ranges::stable_sort(cells,
+                           [&](const Listed& a, const Listed& b) { return before(a.first(), b.first()); });
+  std::vector<Change> changes;
+  for (Listed& l : cells) changes.push_back(std::move(l.change));
+  return changes;
 }
 
 }  // namespace
 
 std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
-  Counted cells("comparing", "cells");
-  const auto after = by_name(b, cells);
-  std::size_t n = 0;
-  for (const auto& [name, old] : by_name(a, cells)) {
-    cells.next();
-    const auto found = after.find(name);
-    n += found != after.end() && old.row->judged() > 0 && found->second.row->judged() > 0;
-  }
-  return n;
-}
-
-std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
-  if (const std::string limits = differences_of_limits(a.spec, b.spec); !limits.empty())
-    throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
-  if (const std::string profiles = differences_of_profiles(a, b); !profiles.empty())
-    throw std::invalid_argument("verdicts by different profiles cannot be compared: " + profiles);
-  Counted cells("comparing", "cells");
-  const auto before = by_name(a, cells), after = by_name(b, cells);
-  std::vector<Change> all;
-  for (const StoredSeries& s : b.series) {
-    const auto same = std::find_if(a.series.begin(), a.series.end(), [&](const StoredSeries& o) {
-      return o.subject == s.subject && o.scalar == s.scalar && o.property == s.property;
-    });
-    const std::size_t was = same == a.series.end() ? 0 : same->tally.disagreed.size();
-    if (s.tally.disagreed.size() > was)
-      all.push_back({{s.subject, s.scalar, s.property},
-                     fmt::format("the fast oracle disagrees with the slow one in {} cases, was {}",
-                                 s.tally.disagreed.size(), was),
-                     ""});
-  }
-  for (const auto& [name, old] : before) {
-    cells.next();
-    const auto found = after.find(name);
-    const auto say = [&, &n = name](const std::string& what) {
-      all.push_back({n, what, found == after.end() ? "" : worst_case(b, found->second)});
-    };
-    if (found == after.end()) {
-      const bool same = std::any_of(b.series.begin(), b.series.end(), [&](const StoredSeries& s) {
-        return s.subject == old.series->subject && s.scalar == old.series->scalar &&
-               s.property == old.series->property && s.tally.inputs.sum() == old.series->tally.inputs.sum();
-      });
-      if (same || !measured(after, name)) say("no longer measured");
-      continue;
-    }
-    const Row &was = *old.row, &is = *found->second.row;
-    const bool same_inputs = old.series->tally.inputs.sum() == found->second.series->tally.inputs.sum();
-    if (!same_inputs) {  // these may be the reason for a difference
-      for (const std::string& what : worse_by_more_than_chance(was, is)) say(what);
-      continue;
-    }
-    const auto grew = [&](const char* what, std::uint64_t from, std::uint64_t to) {
-      if (to > from)
-        say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
-    };
-    grew("failed", was.failed, is.failed);
-    grew("outside the domain", was.outside_domain, is.outside_domain);
-    grew("unresolved", was.unresolved, is.unresolved);
-    grew("unmeasured", was.unmeasured, is.unmeasured);
-    grew("ill-posed", was.ill_posed, is.ill_posed);
-    if (is.count < was.count) say(fmt::format("measured {} times, were {}", is.count, was.count));
-    // Under the excess rule only error / kappa is comparable.
-    const bool excess = was.max_excess > 0 || is.max_excess > 0;
-    const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
-    if (grown(from, to))
-      say(fmt::format("largest {} {:.4g} (case {}), was {:.4g} (case {})",
-                      excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
-                      was.worst_index));
-  }
-  add_pooled(all, b, before, after, cells);
-  return all;
+  const auto judged = [](const StoredCampaign& c) {
+    std::set<Name> names;
+    for (const StoredSeries& s : c.series)
+      for (const auto& [cell, row] : s.tally.rows)
+        if (const Label& l = s.labels.at(cell); row.judged() > 0)
+          names.insert({s.subject, s.scalar, s.property, l.operation, l.block, l.band});
+    return names;
+  };
+  const std::set<Name> before = judged(a);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(judged(b), [&](const Name& name) { return before.contains(name); }));
 }
 
 std::string Change::text() const {
@@ -165,89 +273,25 @@ std::string Change::text() const {
   return cell + ": " + what;
 }
 
-std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
-  std::vector<std::string> lines;
-  for (const Change& c : changes(a, b)) lines.push_back(c.text());
-  return lines;
-}
-
-namespace {
-
-/// "phi = 0.1, 0, 0 [rad]; ..." of a generated case, whose input does not depend on the subject. Returns "" if the law is
-/// not one of liecheck's, or has an input of many numbers.
-std::string input_in_words(CaseId id) try {
-  id.subject = "liecheck";
-  const auto all = select({{id.subject}, {id.property}, {id.scalar}}, built_in_robot());
-  if (all.empty() || all[0]->robot != id.robot) return "";
-  const std::vector<std::string> numbers = all[0]->input(id);
-  std::string text;
-  std::size_t at = 0;
-  for (const Field& f : all[0]->fields) {
-    text += fmt::format("{}{} =", at == 0 ? "" : "; ", f.name);
-    for (int i = 0; i < f.size; ++i, ++at)
-      text += fmt::format("{} {:.6g}", i == 0 ? "" : ",", std::strtod(numbers.at(at).c_str(), nullptr));
-    text += f.unit.empty() ? "" : fmt::format(" [{}]", f.unit);
+Comparison compared(const StoredCampaign& a, const StoredCampaign& b, bool strict) {
+  if (const std::string limits = differences_of_limits(a.spec, b.spec); !limits.empty())
+    throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
+  if (const std::string profiles = differences_of_profiles(a, b); !profiles.empty())
+    throw std::invalid_argument("verdicts by different profiles cannot be compared: " + profiles);
+  Counted shown("comparing", "cells");
+  const Side before(a, shown), after(b, shown);
+  Differences worse, better, other;
+  for (const bool back : {false, true}) {
+    const Side &from = back ? after : before, &to = back ? before : after;
+    Differences all = differences(from, to, back);
+    add_disagreements(from, to, back, all);
+    for (auto& [name, some] : all) {
+      const bool counts = strict || std::ranges::any_of(some, in_own_terms);
+      auto& list = (!counts ? other : back ? better : worse)[name];
+      list.insert(list.end(), some.begin(), some.end());
+    }
   }
-  return at == numbers.size() && at <= 24 ? text : "";
-} catch (const std::exception&) {
-  return "";
-}
-
-bool is_of_the_program(const std::string& subject) try {
-  check_subjects({subject});
-  return true;
-} catch (const std::invalid_argument&) {
-  return false;
-}
-
-}  // namespace
-
-std::string replay_of(const Change& change) {
-  if (change.worst_case.empty()) return "";
-  const std::string input = input_in_words(CaseId::parse(change.worst_case));
-  return fmt::format("liecheck replay {}{}\n{}", change.worst_case,
-                     is_of_the_program(change.name[0]) ? "" : " --adapter ADAPTER",
-                     input.empty() ? "" : fmt::format("# {}\n", input));
-}
-
-std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const std::string& picture) {
-  const auto got_worse = changes(a, b), got_better = changes(b, a);
-  const auto count = [](const std::vector<Change>& all) {
-    std::set<Name> cells;
-    for (const Change& c : all) cells.insert(c.name);
-    const std::size_t n = cells.size();
-    return n == 0 ? std::string("nothing") : fmt::format("{} {}", n, n == 1 ? "cell" : "cells");
-  };
-  std::string text =
-      fmt::format("### liecheck: {} worse, {} better\n\n", count(got_worse), count(got_better));
-  if (!picture.empty()) text += fmt::format("![what got worse and better](<{}>)\n\n", picture);
-  const auto table = [&](const char* title, const std::vector<Change>& all) {
-    if (all.empty()) return;
-    text += fmt::format("| {} | operation, block, band | law | what |\n|---|---|---|---|\n", title);
-    for (const Change& c : all)
-      text += fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1],
-                          c.name[3].empty() ? ""
-                                            : fmt::format("`{}`, {}, {}", c.name[3], markdown(c.name[4]),
-                                                          markdown(c.name[5])),
-                          c.name[2], markdown(c.what));
-    text += "\n";
-  };
-  table("worse", got_worse);
-  std::string replays;
-  std::set<std::string> known = {""};
-  Counted cells("drawing the worst cases", "cells", 16);
-  for (const Change& c : got_worse) {
-    cells.next();
-    if (const std::string replay = replay_of(c); known.insert(replay).second) replays += replay;
-  }
-  if (!replays.empty())
-    text += fmt::format("The worst cases of these cells now:\n\n```sh\n{}```\n\n", replays);
-  if (!got_better.empty()) {
-    text += "<details><summary>What got better, with before and after exchanged</summary>\n\n";
-    table("better", got_better);
-    text += "</details>\n\n";
-  }
-  return text + fmt::format("Compared in {} cells; errors in eps of the scalar.\n", cells_in_both(a, b));
+  return {listed(worse, after), listed(better, after), listed(other, after)};
 }
 
 }  // namespace liecheck::properties

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
-#include <store/merge.hpp>
 #include <support/svg.hpp>
 #include <vector>
 
@@ -25,8 +23,9 @@ struct Drawn {
 Drawn find(const StoredCampaign& c, const Name& n) {
   for (const StoredSeries& s : c.series)
     if (s.subject == n[0] && s.scalar == n[1] && s.property == n[2])
-      for (const auto& [cell, l] : s.labels)
-        if (l.operation == n[3] && l.block == n[4] && l.band == n[5]) return {&s, &s.tally.rows.at(cell)};
+      for (const auto& [cell, row] : s.tally.rows)
+        if (const Label& l = s.labels.at(cell); l.operation == n[3] && l.block == n[4] && l.band == n[5])
+          return {&s, &row};
   return {};
 }
 
@@ -36,13 +35,10 @@ struct Line {
   std::optional<double> before, after;
 };
 
-std::string group_of(const Name& n) {
-  return fmt::format("{} {}, {}", n[0], n[1], n[2]);
-}
-
-/// The errors that `changes` compares.
+/// The errors that are compared.
 Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
-  Line line{group_of(n), fmt::format("{}, {}, {}", n[3], n[4], n[5]), "", {}, {}};
+  Line line{
+      fmt::format("{} {}, {}", n[0], n[1], n[2]), fmt::format("{}, {}, {}", n[3], n[4], n[5]), "", {}, {}};
   if (n[3].empty()) line.label = "the oracles disagree";
   const Drawn was = find(a, n), is = find(b, n);
   const bool same = was.row && is.row && was.series->tally.inputs.sum() == is.series->tally.inputs.sum();
@@ -59,21 +55,14 @@ Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
   return line;
 }
 
-/// The changes of one direction: how many cells, and the lines of the first ones, a cell once.
-struct Direction {
-  std::size_t cells = 0;
+/// The lines of one direction, at most `most` of the most important cells.
+std::vector<Line> lines_of(const StoredCampaign& a, const StoredCampaign& b, const std::vector<Change>& changes,
+                           std::size_t most) {
   std::vector<Line> lines;
-};
-Direction direction(const StoredCampaign& a, const StoredCampaign& b, const std::vector<Change>& changes,
-                    std::size_t most) {
-  std::vector<Name> names;
-  std::set<Name> seen;
-  for (const Change& c : changes)
-    if (seen.insert(c.name).second) names.push_back(c.name);
-  std::ranges::stable_sort(names, {}, group_of);
-  Direction all{names.size(), {}};
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) all.lines.push_back(line_of(a, b, names[i]));
-  return all;
+  for (const Change& c : std::span(changes).first(std::min(most, changes.size())))
+    lines.push_back(line_of(a, b, c.name));
+  std::ranges::stable_sort(lines, {}, &Line::group);
+  return lines;
 }
 
 /// A logarithmic axis of whole decades. What is below or above is drawn at its ends.
@@ -125,9 +114,10 @@ std::string dots(const Scale& axis, const Line& l, double y, const char* kind) {
 }
 
 /// The lines of one direction below y, with a heading for each group. Moves y.
-std::string section(const Direction& all, const char* kind, const Scale& axis, double& y) {
+std::string section(const std::vector<Line>& lines, std::size_t cells, const char* kind, const Scale& axis,
+                    double& y) {
   std::string text, group;
-  for (const Line& l : all.lines) {
+  for (const Line& l : lines) {
     if (l.group != group)
       text += svg_text(margin, y += line_height, l.group + ": " + kind, std::string("strong ") + kind);
     group = l.group;
@@ -136,20 +126,21 @@ std::string section(const Direction& all, const char* kind, const Scale& axis, d
     text += dots(axis, l, y - 4, kind);
     text += svg_text(axis.left + plot_width + 16, y, l.figures);
   }
-  if (const std::size_t more = all.cells - all.lines.size(); more > 0)
-    text += svg_text(margin, y += line_height, fmt::format("and {} more {}", more, kind), "faint");
+  if (cells > lines.size())
+    text +=
+        svg_text(margin, y += line_height, fmt::format("and {} more {}", cells - lines.size(), kind), "faint");
   return text;
 }
 
 }  // namespace
 
-std::string picture_of_changes(const StoredCampaign& a, const StoredCampaign& b) {
-  const auto worse = direction(a, b, changes(a, b), most_worse),
-             better = direction(a, b, changes(b, a), most_better);
-  const std::string title = fmt::format("liecheck: {} cells worse, {} better, of {} compared", worse.cells,
-                                        better.cells, cells_in_both(a, b));
-  std::vector<Line> all = worse.lines;
-  all.insert(all.end(), better.lines.begin(), better.lines.end());
+std::string picture_of(const Comparison& comparison, const StoredCampaign& a, const StoredCampaign& b) {
+  const auto worse = lines_of(a, b, comparison.worse, most_worse),
+             better = lines_of(a, b, comparison.better, most_better);
+  const std::string title = fmt::format("liecheck: {} cells worse, {} better, of {} compared", comparison.worse.size(),
+                                        comparison.better.size(), cells_in_both(a, b));
+  std::vector<Line> all = worse;
+  all.insert(all.end(), better.begin(), better.end());
   if (all.empty())
     return svg(static_cast<int>(svg_width(title) + 2 * margin), 36, title, svg_text(margin, 23, title));
   Scale axis(all);
@@ -159,8 +150,8 @@ std::string picture_of_changes(const StoredCampaign& a, const StoredCampaign& b)
   axis.left = margin + label + 16;
   double y = 62;
   const double top = y + 8;
-  std::string lines = section(worse, "worse", axis, y);
-  lines += section(better, "better", axis, y);
+  std::string lines = section(worse, comparison.worse.size(), "worse", axis, y);
+  lines += section(better, comparison.better.size(), "better", axis, y);
   const double width = std::max(axis.left + plot_width + 16 + figures, svg_width(title)) + margin;
   return svg(static_cast<int>(width), static_cast<int>(y + margin), title,
              svg_text(margin, 24, title, "strong") +

@@ -1,24 +1,20 @@
 #pragma once
 // Whether two samples of errors may come from the same code: docs/measuring.md, section Two campaigns.
+//
+// A single case proves nothing: with m of n + m cases, the largest error is in the later sample with the probability
+// m / (n + m), and so is a failure that occurs once. So counts are compared, not maxima, and whole distributions. The
+// tests say yes by chance alone less than once in 1e9 comparisons.
 
-#include <campaign/tally.hpp>
-#include <string>
-#include <vector>
+#include <campaign/histogram.hpp>
 
 namespace liecheck::properties {
 
-/// What is worse in `is` than in `was`, two samples of the same cell with different inputs, and would be seen by
-/// chance alone less than once in 1e9 comparisons; nothing else.
-///
-/// A single case proves nothing: with m of n + m cases, the largest error is in the later sample with the probability
-/// m / (n + m), and so is a failure that occurs once. So counts are compared, not maxima: of the cases that fail, and
-/// of the cases above the largest earlier error, how many are in which sample? Fisher's exact test. The whole
-/// distributions are compared by the test of Kolmogorov and Smirnov.
-std::vector<std::string> worse_by_more_than_chance(const Row& was, const Row& is);
+/// Whether more of the marked cases are in the second sample, of m cases, than chance would put there. Fisher's exact
+/// test, one-sided: the hypergeometric distribution.
+bool too_many(std::uint64_t marked_a, std::uint64_t n, std::uint64_t marked_b, std::uint64_t m);
 
-/// Whether an error grew by more than another order of operations or a rounding of the result could explain.
-inline bool grown(double from, double to) {
-  return to > from * 1.1 && to > from + 0.5;
-}
+/// Whether the second sample has larger errors. One-sided two-sample test of Kolmogorov and Smirnov:
+/// P(D > d) -> exp(-2 d^2 n m / (n + m)).
+bool shifted(const Histogram& a, const Histogram& b);
 
 }  // namespace liecheck::properties

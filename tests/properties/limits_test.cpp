@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <set>
+#include <store/compare.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
@@ -172,6 +174,9 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[domain]\n*, angle, all = 3",
               "own.limits:4: '*, angle, all' is not of the form OPERATION, QUANTITY"},
         Wrong{"[domain]\n*, angle = 3\n*, angle = 2", "own.limits:5: 'domain *, angle' is already in line 4"},
+        Wrong{"[domain]\n*, angle >= 1", "own.limits:4: a lower bound needs a line 'version = 3' before it"},
+        Wrong{"[domain]\n*, angle = 3, why",
+              "own.limits:4: the reason of a bound needs a line 'version = 3'"},
         Wrong{"[limit]\n", "own.limits:3: unknown section '[limit]'; known: [limits], [domain], [expected]"},
         Wrong{"[expected]\n", "own.limits:3: [expected] needs a line 'version = 2' before it"},
         Wrong{"author = me\n", "own.limits:3: unknown name 'author'"},
@@ -181,12 +186,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Limits, AreRefusedWithoutVersionOrSubject) {
   const auto said = [](const std::string& text) { return error([&] { parse_limits("f", text); }); };
-  EXPECT_EQ(said(""), "f: has no line 'version = 2'");
+  EXPECT_EQ(said(""), "f: has no line 'version = 3'");
   EXPECT_EQ(said("version = 1\n"), "f: names no subject: it has no line 'subject = NAME'");
-  EXPECT_EQ(said("version = 3\n"), "f:1: version '3': this program reads versions 1 to 2");
+  EXPECT_EQ(said("version = 4\n"), "f:1: version '4': this program reads versions 1 to 3");
   EXPECT_EQ(said("version = 1\nprofile = ours\n"), "f:2: profile needs a line 'version = 2' before it");
   EXPECT_EQ(said("subject = x\n[limits]\n"),
-            "f:2: before section [limits] there must be a line 'version = 2'");
+            "f:2: before section [limits] there must be a line 'version = 3'");
 }
 
 TEST(Limits, OfAnUnknownOrUnselectedSubjectOrTwiceAreRefused) {
@@ -214,6 +219,32 @@ TEST(Domains, ExcludeInputsThatAreThenNeitherCalledNorJudged) {
   EXPECT_EQ(own.series.at(0).tally.coverage.cases_outside(), outside);
   EXPECT_EQ(own.series.at(0).tally.coverage.cases(&MeasuredOutputs::outside, 6), outside);
   EXPECT_EQ(own.inputs_digest, all.inputs_digest);
+}
+
+TEST(Domains, MayBeginAboveZeroWhichTheyHave) {
+  const auto own = std::make_shared<const SubjectLimits>(
+      parse_limits("own.limits",
+                   "version = 3\nsubject = liecheck\n[domain]\n*, angle >= 1e-3, tiny ones fail\n*, angle = "
+                   "3\nexp6, angle >= 1e-5\n"));
+  ASSERT_EQ(own->domain.size(), 3u);
+  EXPECT_TRUE(own->domain[0].lower);
+  EXPECT_EQ(own->domain[0].reason, "tiny ones fail");
+  const CampaignResult r = run("liecheck", own);
+  std::set<std::string> measured;
+  const SeriesResult& s = r.series.at(0);
+  for (const auto& [cell, row] : s.tally.rows)
+    if (s.series->outputs.at(static_cast<std::size_t>(cell.first)).operation == "exp6" && row.judged() > 0)
+      measured.insert(s.series->bands()[static_cast<std::size_t>(cell.second)].name);
+  EXPECT_TRUE(measured.contains("0"));
+  EXPECT_FALSE(measured.contains("subnormal"));
+  EXPECT_FALSE(measured.contains("theta 1e-6..1e-5"));
+  EXPECT_TRUE(measured.contains("theta 1e-5..1e-4"));
+  EXPECT_FALSE(measured.contains("near 2pi k"));
+  for (const char* again : {"*, angle >= 1\n*, angle >= 2", "*, angle = 1\n*, angle = 2"})
+    EXPECT_NE(error([&] {
+                parse_limits("f", fmt::format("version = 3\nsubject = x\n[domain]\n{}\n", again));
+              }).find("is already in line 4"),
+              std::string::npos);
 }
 
 TEST(Domains, AreNamedByTheCoverageReportWhichDoesNotMissTheirClasses) {
@@ -332,7 +363,7 @@ TEST_F(LimitsInStores, ThatDifferAreNeitherMergedNorComparedNorResumed) {
   const std::string words = fmt::format("limits of liecheck: own.limits ({}) against ", hash_of(*own));
   for (const std::string& with : {b, c}) {
     EXPECT_NE(error([&] { merge({a, with}, false); }).find(words), std::string::npos);
-    EXPECT_NE(error([&] { worse(load_campaign(a), load_campaign(with)); }).find(words), std::string::npos);
+    EXPECT_NE(error([&] { compared(load_campaign(a), load_campaign(with)); }).find(words), std::string::npos);
   }
   EXPECT_NE(error([&] { store("a", nullptr, 1, true); }).find(words + "none"), std::string::npos);
   EXPECT_EQ(error([&] { merge({a, store("d", own, 2)}, false); }), "");

@@ -4,11 +4,11 @@
 
 #include <record/badge.hpp>
 #include <regex>
-#include <store/merge.hpp>
 #include <store/picture.hpp>
 #include <support/svg.hpp>
 
 #include "../campaigns.hpp"
+#include "../stored.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -18,19 +18,11 @@ CampaignResult campaign_of(const std::vector<std::string>& subjects) {
 }
 
 StoredCampaign stored() {
-  CampaignResult r = campaign_of({"liecheck"});
-  StoredCampaign c;
-  c.spec = spec_of(r.options, r.robot, r.series);
-  for (SeriesResult& s : r.series) {
-    StoredSeries stored_series{name_of(*s.series), std::move(s.tally), {}, {}};
-    for (const auto& [cell, row] : stored_series.tally.rows) {
-      const Output& o = s.series->outputs.at(static_cast<std::size_t>(cell.first));
-      stored_series.labels[cell] = {std::string(o.operation), std::string(o.block),
-                                    s.series->bands()[static_cast<std::size_t>(cell.second)].name};
-    }
-    c.series.push_back(std::move(stored_series));
-  }
-  return c;
+  return stored_from(campaign_of({"liecheck"}));
+}
+
+std::string changed(const StoredCampaign& a, const StoredCampaign& b) {
+  return picture_of(compared(a, b), a, b);
 }
 
 struct Label {
@@ -75,7 +67,7 @@ TEST(Pictures, ShowEachCellBeforeAndAfterWithoutOverlaps) {
     if (i == 2) row.max_error = row.max_excess = std::numeric_limits<double>::infinity();
     if (i > 2 && i < 6) row.max_error = row.max_excess = 1e12;
   }
-  const std::string picture = picture_of_changes(a, b), back = picture_of_changes(b, a);
+  const std::string picture = changed(a, b), back = changed(b, a);
   EXPECT_NE(picture.find("liecheck: 5 cells worse, 0 better, of "), picture.npos) << picture;
   EXPECT_NE(back.find("liecheck: 0 cells worse, 5 better, of "), back.npos) << back;
   EXPECT_NE(picture.find("0 → 7 fail"), picture.npos) << picture;
@@ -85,7 +77,7 @@ TEST(Pictures, ShowEachCellBeforeAndAfterWithoutOverlaps) {
   EXPECT_GT(labels_of(picture).size(), 12u);
   EXPECT_EQ(overlaps(labels_of(picture)), 0) << picture;
   EXPECT_EQ(overlaps({{10, 20, 50}, {59, 25, 10}, {70, 20, 5}}), 1);
-  EXPECT_NE(picture_of_changes(a, a).find("liecheck: 0 cells worse, 0 better"), std::string::npos);
+  EXPECT_NE(changed(a, a).find("liecheck: 0 cells worse, 0 better"), std::string::npos);
 }
 
 TEST(Pictures, SayHowMuchTheyLeaveOut) {
@@ -94,7 +86,7 @@ TEST(Pictures, SayHowMuchTheyLeaveOut) {
   for (auto& [cell, row] : b.series.at(0).tally.rows) row.failed += 1;
   const std::size_t cells = b.series.at(0).tally.rows.size();
   ASSERT_GT(cells, 30u);
-  const std::string picture = picture_of_changes(a, b);
+  const std::string picture = changed(a, b);
   EXPECT_NE(picture.find("and " + std::to_string(cells - 30) + " more worse"), picture.npos);
   EXPECT_EQ(overlaps(labels_of(picture)), 0);
 }

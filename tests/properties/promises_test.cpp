@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <store/compare.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
@@ -156,7 +157,7 @@ TEST_F(Promises, ByDifferentProfilesAreNeitherMergedNorComparedNorResumed) {
   EXPECT_NE(error([&] { merge({a, b}, false); }).find("profile careful"), std::string::npos);
   EXPECT_NE(error([&] { store("a", std::nullopt, 1, true); }).find("profile careful"), std::string::npos);
   EXPECT_NE(error([&] {
-              worse(load_campaign(a), load_campaign(b));
+              compared(load_campaign(a), load_campaign(b));
             }).find("profile of promises:thirty: careful against ours"),
             std::string::npos);
   EXPECT_EQ(error([&] { merge({b, store("c", Profile::ours)}, false); }), "");
@@ -245,7 +246,7 @@ TEST(Profiles, AndAllElseOfTheDocumentedExampleAreRead) {
   const SubjectLimits all = parse_limits("mylib.limits", page.substr(from, page.find("```", from) - from));
   EXPECT_EQ(all.profile, Profile::careful);
   EXPECT_EQ(all.lines.size(), 3u);
-  EXPECT_EQ(all.domain.size(), 2u);
+  EXPECT_EQ(all.domain.size(), 3u);
   ASSERT_EQ(all.expected.size(), 1u);
   EXPECT_EQ(all.expected[0].link, "https://example.org/mylib/issues/12");
 }
@@ -294,13 +295,13 @@ TEST_F(Promises, AreWrittenByTheProgramAndKept) {
   const std::string text = read_whole(folder / "p.limits");
   const SubjectLimits all = parse_limits("p.limits", text);
   EXPECT_EQ(all.profile, Profile::careful);
-  EXPECT_NE(text.find(", 2 times the largest error found\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(", 4 times the largest error found\n"), std::string::npos) << text;
   const auto of = [&](Region region) {
     const auto table = with_own_limits(budgets("", Profile::careful, 0x1p-52), all.lines);
     return budget_in(table, "exp6", "orthogonality defect", region).limit;
   };
-  EXPECT_GT(of(Region::to_pi), 2 * 8);  // liecheck promises 8
-  EXPECT_LT(of(Region::to_pi), 2 * 20);
+  EXPECT_GT(of(Region::to_pi), 4 * 8);  // liecheck promises 8
+  EXPECT_LT(of(Region::to_pi), 4 * 20);
   EXPECT_EQ(code(promise), 2);
   EXPECT_NE(read_whole(folder / "err").find("'p.limits' exists"), std::string::npos);
   EXPECT_EQ(read_whole(folder / "p.limits"), text);
@@ -312,14 +313,38 @@ TEST_F(Promises, AreWrittenByTheProgramAndKept) {
       << out();
 }
 
-TEST_F(Promises, OfWhatNoLimitCanPromiseAreComments) {
-  EXPECT_EQ(code("promise textbook --scalar double --cases 4000 --out p.limits"), 1);
+TEST_F(Promises, AreKeptWithOtherSeedsSinceWhatNoLimitCanPromiseIsExpected) {
+  write_whole((folder / "d.limits").string(),
+              "version = 3\nsubject = textbook\n[domain]\n*, angle = 3.5, as documented\n");
+  EXPECT_EQ(code("promise textbook --scalar double --cases 300 --limits d.limits --out p.limits"), 1);
+  EXPECT_NE(out().find("not promised: *, angle above 3.5: as documented\n"), std::string::npos) << out();
   const std::string text = read_whole(folder / "p.limits");
-  EXPECT_NE(text.find("\n# not promised, no digit is right: log3_matrix, rotation vector, any\n"), text.npos)
-      << text;
-  EXPECT_NE(text.find("\n# not promised, a cliff: double, log3_matrix rotation vector at pi: "), text.npos)
-      << text;
-  EXPECT_EQ(parse_limits("p.limits", text).subject, "textbook");
+  const SubjectLimits all = parse_limits("p.limits", text);
+  EXPECT_NE(text.find("\n*, angle = 3.5, as documented\n"), text.npos) << text;
+  const auto expects = [&](const char* operation, const char* block, const char* band) {
+    const auto& bands = Bands::of(oracles::scalar_of<double>).all();
+    const auto at = std::ranges::find(bands, band, &Band::name);
+    return std::ranges::any_of(all.expected, [&](const ExpectedFailure& e) {
+      return e.operation == operation && e.block == block && e.inputs.has(*at);
+    });
+  };
+  EXPECT_TRUE(expects("exp6", "translation", "theta 1e-8..1e-7")) << text;
+  EXPECT_FALSE(expects("exp6", "translation", "generic 1..pi-1")) << text;
+  EXPECT_FALSE(expects("exp6", "translation", "theta 1e-13..1e-12")) << text;
+  EXPECT_TRUE(expects("log3_matrix", "rotation vector", "pi")) << text;
+  EXPECT_FALSE(expects("log3_matrix", "rotation vector", "generic 1..pi-1")) << text;
+  EXPECT_NE(text.find("\nrelative_angle, angle >= 1e-100, smaller angles fail\n"), text.npos) << text;
+  for (const Budget& b : all.lines)  // which would hide faults at all other angles
+    EXPECT_LT(b.limit, 1e5) << b.operation << " " << b.block;
+  for (const ExpectedFailure& e : all.expected) EXPECT_FALSE(e.reason.empty());
+  for (const int seed : {42, 1, 2, 3, 5})
+    EXPECT_EQ(code(fmt::format("campaign --subject textbook --scalar double --cases 300 --seed {} --limits "
+                               "p.limits",
+                               seed)),
+              0)
+        << out();
+  EXPECT_NE(out().find(" more that are as expected: --all lists them\n"), std::string::npos) << out();
+  EXPECT_EQ(code("promise liecheck --limits d.limits --out q.limits"), 2);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
@@ -209,77 +208,6 @@ TEST_F(Stores, MergeNamesMissingOverlappingAndForeignRanges) {
   EXPECT_FALSE(load_campaign(file("part")).complete());
   EXPECT_EQ(text(run("part", options(), true)), text(run("whole", options())));
   EXPECT_SAYS(error([&] { merge_into(file("part"), {p[0]}, true); }), "holds cases");
-}
-
-TEST_F(Stores, CompareFindsWhatGotWorse) {
-  StoredCampaign a = load_campaign(run("a", options()));
-  Row& large = a.series.at(0).tally.rows.begin()->second;
-  large.max_error = 100, large.max_excess = 0;
-  EXPECT_TRUE(worse(a, a).empty());
-  const auto changed = [&](auto change) {
-    StoredCampaign b = a;
-    change(b.series.at(0).tally.rows.begin()->second);
-    return worse(a, b);
-  };
-  EXPECT_EQ(changed([](Row& r) { r.failed += 1; }).size(), 1u);
-  StoredCampaign failing = a;
-  failing.series.at(0).tally.rows.begin()->second.failed += 1;
-  const std::string comment = in_markdown(a, failing), nothing = in_markdown(a, a);
-  EXPECT_SAYS(comment, "### liecheck: 1 cell worse, nothing better");
-  EXPECT_SAYS(comment, "failed 1 of ");
-  EXPECT_SAYS(comment, "```sh\nliecheck replay g4.42.");
-  EXPECT_SAYS(in_markdown(failing, a), "### liecheck: nothing worse, 1 cell better");
-  EXPECT_SAYS(nothing, "### liecheck: nothing worse, nothing better");
-  EXPECT_EQ(nothing.find('|'), std::string::npos) << nothing;
-  EXPECT_EQ(changed([](Row& r) { r.max_error = 111; }).size(), 1u);
-  EXPECT_TRUE(changed([](Row& r) { r.max_error = 109; }).empty());
-  large.max_error = 0.2;
-  EXPECT_TRUE(changed([](Row& r) { r.max_error = 0.69; }).empty());
-  EXPECT_EQ(changed([](Row& r) { r.max_error = 0.71; }).size(), 1u);
-  EXPECT_EQ(changed([](Row& r) { r.count -= 1; }).size(), 1u);
-  StoredCampaign b = a;
-  b.series.at(0).tally.rows.erase(b.series.at(0).tally.rows.begin());
-  EXPECT_EQ(worse(a, b).size(), 1u);
-  EXPECT_TRUE(worse(b, a).empty());
-}
-
-TEST_F(Stores, CompareDoesNotMistakeOtherInputsForOtherCode) {
-  std::vector<StoredCampaign> seeds;
-  for (const std::uint64_t seed : {42, 7, 11})
-    seeds.push_back(load_campaign(run(fmt::format("seed{}", seed), options(1000, seed))));
-  for (const StoredCampaign& a : seeds)
-    for (const StoredCampaign& b : seeds) EXPECT_EQ(fmt::format("{}", fmt::join(worse(a, b), "\n")), "");
-}
-
-TEST_F(Stores, CompareFindsAnErrorThatGrewFourfoldInOneBlock) {
-  const StoredCampaign a = load_campaign(run("before", options(300)));
-  StoredCampaign b = load_campaign(run("after", options(300, 7)));
-  StoredSeries& s = b.series.at(0);
-  const std::string block = s.labels.at(s.tally.rows.begin()->first).block;
-  for (auto& [cell, row] : s.tally.rows) {
-    if (cell.first != s.tally.rows.begin()->first.first) continue;
-    Histogram grown;
-    for (const auto& [bin, count] : row.errors.bins())
-      grown.add_bin(bin < -9000 ? bin : bin + 2 * 32, count);  // not an exact zero
-    row.errors = grown;
-    row.max_error *= 4;
-  }
-  const auto lines = worse(a, b);
-  EXPECT_FALSE(lines.empty());
-  for (const std::string& line : lines) EXPECT_SAYS(line, block);
-  EXPECT_TRUE(worse(b, a).empty()) << fmt::format("{}", fmt::join(worse(b, a), "\n"));
-}
-
-TEST_F(Stores, CompareFindsErrorsAboveTheLargestOfBefore) {
-  const StoredCampaign a = load_campaign(run("a", options(600)));
-  const StoredCampaign other = load_campaign(run("b", options(600, 7)));
-  const auto with = [&](std::uint64_t large) {
-    StoredCampaign b = other;
-    b.series.at(0).tally.rows.begin()->second.errors.add_bin(32 * 40, large);
-    return worse(a, b);
-  };
-  EXPECT_TRUE(with(5).empty());
-  EXPECT_EQ(with(60).size(), 1u);
 }
 
 TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {

@@ -419,7 +419,7 @@ TEST(Terminal, AComparisonHasReplaysAndARecord) {
   campaign(right, "a --seed 42"), campaign(right, "b --seed 7"), campaign("pass", "c --seed 42");
   const auto [same, nothing] = shell("cd " + dir + "; $L compare a b --json same.json");
   EXPECT_EQ(same, 0) << nothing;
-  EXPECT_SAYS(nothing, "nothing is worse\n");
+  EXPECT_SAYS(nothing, "nothing is worse");
   const auto [code, text] = shell("cd " + dir + "; $L compare a c --json worse.json");
   EXPECT_EQ(code, 1) << text;
   EXPECT_SAYS(text, "\n  liecheck replay g4.42.exp_oracle.mylib.double.none.");

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <regex>
+#include <store/compare.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 #include <store/stored_run.hpp>
