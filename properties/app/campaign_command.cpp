@@ -262,7 +262,7 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
 
 /// Prints the verdict, the findings, how the adapters' conventions and choices differ, and what was measured; if verbose, the details too. Returns the verdict's exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f,
-                   const std::vector<std::string>& differences) {
+                   const Differences& differ) {
   std::vector<FailedBlock> failed = failed_blocks(r);
   const std::vector<Finding> findings = findings_of(r, failed, hard_cases);
   std::set<std::string> subjects;
@@ -283,7 +283,8 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
         "--robot\n",
         name);
-  for (const std::string& text : differences) fmt::print("\n{}\n", printable(text));
+  const std::string differences = printable_lines(text_of(differ));
+  fmt::print("{}", differences);
   if (many > 0 || !differences.empty()) say("\n");
   if (f.verbose) print_details(r, hard_cases, f);
   print_oracles(r, f.verbose);
@@ -309,19 +310,14 @@ int run(const CampaignFlags& f) {
   }
   const Robot robot = f.cases.robot.read();
   if (!f.badge.empty()) check_writable(f.badge);
-  std::vector<std::string> others, remarks;
-  for (const std::string& adapter : f.selection.adapters.adapters) {
-    if (f.no_probe) continue;
-    const Differences found = withhold_others(adapter, !f.store.first_shard());
-    others.insert(others.end(), found.conventions.begin(), found.conventions.end());
-    remarks.insert(remarks.end(), found.choices.begin(), found.choices.end());
-  }
+  const Differences differ = f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
   if (select(selection, robot).empty())
     throw std::invalid_argument(
-        others.empty() ? "nothing to run: no selected subject offers a selected property in that scalar"
-                       : fmt::format("nothing is judged: {}. Change it in the adapter, state it, or judge the "
-                                     "library as it is with --no-probe",
-                                     fmt::join(others, "; ")));
+        differ.conventions.empty()
+            ? "nothing to run: no selected subject offers a selected property in that scalar"
+            : fmt::format("nothing is judged: {}. Change it in the adapter, state it, or judge the library as it "
+                          "is with --no-probe",
+                          fmt::join(differ.conventions, "; ")));
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);
@@ -329,9 +325,7 @@ int run(const CampaignFlags& f) {
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
   auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
-  if (!without_trees(f).empty() || !others.empty()) done->result.measured = false;
-  for (std::string& text : others) text = "NOT JUDGED  " + text;
-  for (const std::string& text : remarks) others.push_back("remark  " + text);
+  if (!without_trees(f).empty() || !differ.conventions.empty()) done->result.measured = false;
   int code = incomplete;
   do_both(
       [&] {
@@ -340,7 +334,7 @@ int run(const CampaignFlags& f) {
       },
       [&] {
         print_counterexamples(done->counterexamples, f.all);
-        code = print_campaign(done->result, hard_cases, f, others);
+        code = print_campaign(done->result, hard_cases, f, differ);
         print_how_to_resume(done->result, f.store);
       });
   return code;

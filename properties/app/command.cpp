@@ -86,8 +86,10 @@ std::vector<std::string> AdapterFlags::start() const {
   return names;
 }
 
-Differences withhold_others(const std::string& text, bool quiet) try {
-  Differences all;
+namespace {
+
+/// Adds what differs in one adapter, and withholds the operations that it concerns.
+void withhold(const std::string& text, bool quiet, Differences& all) try {
   std::vector<std::string> unexplained, withheld;
   const adapters::Checked checked = adapters::check(*adapters::start(text));
   for (const conventions::Finding& found : checked.findings) {
@@ -103,14 +105,27 @@ Differences withhold_others(const std::string& text, bool quiet) try {
       unexplained.push_back(fmt::format("{} in {}: {}", o.operation, o.scalar, o.complaint));
   if (!quiet) print_warnings(unexplained);
   if (!withheld.empty()) adapters::withhold(text, withheld);
-  return all;
 } catch (const adapters::AdapterFailed& e) {
   if (!quiet) print_warnings({e.what()});
-  return {};
+}
+
+}  // namespace
+
+Differences AdapterFlags::withhold_others(bool quiet) const {
+  Differences all;
+  for (const std::string& adapter : adapters) withhold(adapter, quiet, all);
+  return all;
+}
+
+std::string text_of(const Differences& found) {
+  std::string text;
+  for (const std::string& sentence : found.conventions) text += fmt::format("\nNOT JUDGED  {}\n", sentence);
+  for (const std::string& sentence : found.choices) text += fmt::format("\nremark  {}\n", sentence);
+  return text;
 }
 
 void check_conventions(const std::string& text) {
-  if (const auto differ = withhold_others(text).conventions; !differ.empty())
+  if (const auto differ = AdapterFlags{{text}}.withhold_others().conventions; !differ.empty())
     throw std::invalid_argument(
         fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter", text,
                     fmt::join(differ, "; ")));

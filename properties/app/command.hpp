@@ -136,6 +136,14 @@ struct LimitsFlags {
   Selection judging(Selection selection) const;
 };
 
+/// What a probe of adapters finds, a sentence each.
+struct Differences {
+  std::vector<std::string> conventions;  ///< others than liecheck's
+  std::vector<std::string> choices;      ///< that the adapter does not state, and that are others than liecheck's
+};
+/// What is not judged, and the remarks: an empty line before each.
+std::string text_of(const Differences& found);
+
 /// --adapter, which may be repeated.
 struct AdapterFlags {
   std::vector<std::string> adapters;
@@ -144,16 +152,11 @@ struct AdapterFlags {
   Flag add(Arguments& arguments);
   /// Starts the adapters, so that their subjects are known, and returns the names of these.
   std::vector<std::string> start() const;
+  /// The operations that a convention concerns in which an adapter differs are withheld, because nearly every case would
+  /// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
+  Differences withhold_others(bool quiet = false) const;
 };
 
-/// What a probe of an adapter finds, a sentence each.
-struct Differences {
-  std::vector<std::string> conventions;  ///< others than liecheck's
-  std::vector<std::string> choices;      ///< that the adapter does not state, and that are others than liecheck's
-};
-/// The operations that a convention concerns in which the adapter differs are withheld, because nearly every case would
-/// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
-Differences withhold_others(const std::string& adapter, bool quiet = false);
 /// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck.
 void check_conventions(const std::string& adapter);
 

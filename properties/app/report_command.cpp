@@ -77,12 +77,8 @@ void print_interrupted(const char* where) {
 fs::path run_campaign_of_report(const ReportFlags& f) {
   const bool everything = f.selection.subjects.empty() && f.selection.adapters.adapters.empty();
   const Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
-  bool all_judged = true;
-  for (const std::string& adapter : f.selection.adapters.adapters) {
-    const std::vector<std::string> differ = withhold_others(adapter).conventions;
-    all_judged = all_judged && differ.empty();
-    for (const std::string& text : differ) warn("not judged: " + text + "\n");
-  }
+  const std::vector<std::string> differ = f.selection.adapters.withhold_others().conventions;
+  for (const std::string& text : differ) warn("not judged: " + text + "\n");
   const Robot robot = f.cases.robot.read();
   CostOptions times;
   times.seed = f.cases.options.seed, times.seconds = 30, times.flags = everything && has_kernels();
@@ -100,7 +96,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   check_writable(file);
   const auto hard_cases = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
-  run.result.measured = run.result.measured && all_judged;
+  run.result.measured = run.result.measured && differ.empty();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = full_record_of(run);
   add_hard_cases(record, hard_cases, run.result.incomplete);
