@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <campaign/robots.hpp>
 #include <failures/calls.hpp>
+#include <failures/drawn_tree.hpp>
 #include <failures/findings.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
@@ -47,6 +48,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   const NotedCall* const call = worst_call(of, all);
   if (const std::string called = call ? called_with(series, *call) : ""; !called.empty())
     text += fmt::format("   example  {}\n", called);
+  else
+    text += drawn_tree(series, s->id);
   if (const std::string number = f.block == "sign" ? "" : worst_number_text(series, of, all); !number.empty())
     text += fmt::format("            {}\n", number);
   else if (call && !call->thrown.empty())
@@ -57,6 +60,14 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
                             replay_flags(series, campaign.robot));
 } catch (const GivenUp&) {
   return "   interrupted: this case is not measured again\n";
+}
+
+/// Whether every failing band is of angles above 10.
+bool fails_at_huge_angles_only(const FailedBlock& f) {
+  return std::ranges::all_of(f.bands, [](const BandOf& b) {
+    const Band& band = b.series->bands()[b.band];
+    return !b.fails || (band.axis == Axis::none && band.region == Region::beyond_pi && band.low >= 10);
+  });
 }
 
 /// "all 15.7 digits lost in double, 3.9 of 6.9 digits lost in float", of the worst block in each scalar.
@@ -92,6 +103,9 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
                                  how_bad(finding.own));
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
                       finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
+  if (fails_at_huge_angles_only(first))
+    text += fmt::format("   domain   a limits file leaves such angles out by \"{}, angle = 100\" below [domain]\n",
+                        finding.operation);
   if (const std::string guess = guess_of(first); !guess.empty())
     text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())

@@ -120,6 +120,7 @@ class Trial {
     call_hook() = before;
     const auto of_output = std::ranges::find(judged, static_cast<int>(output_),
                                              [](const Judged& j) { return static_cast<int>(j.residual.output); });
+    if (!features && of_tree_) features = context.features;  // the output is formed from several calls
     if (of_output == judged.end() || !features) return std::nullopt;
     const auto failure = failure_of(judged, static_cast<int>(output_));
     if (!looked_at_((failure ? *failure : *of_output).residual.band)) return std::nullopt;

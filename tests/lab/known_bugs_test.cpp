@@ -4,6 +4,7 @@
 #include <bugs/weak_tests.hpp>
 #include <set>
 
+#include "../shell.hpp"
 #include "../own_subject.hpp"
 
 namespace liecheck::properties {
@@ -45,6 +46,16 @@ TEST(WeakStyles, PassTheLibraryAndKillSomeBugsButNotAll) {
     EXPECT_GT(killed, 0) << style.name;
     EXPECT_GT(survived, 0) << style.name;
   }
+}
+
+TEST(KnownBugs, AFindingOnATreeDrawsItAndSaysWhere) {
+  const auto [code, text] =
+      shell("{ " LIECHECK_LAB " campaign --subject bug:tree_armature_twice --no-hard-cases --scalar double 2>/dev/null; }");
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(text.find("   where    a joint has an armature: "), std::string::npos) << text;
+  EXPECT_NE(text.find("   tree     1  "), std::string::npos) << text;
+  EXPECT_NE(text.find(", armature 1; mass 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("M[0] is 3, and 2 is right"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <invariants/property.hpp>
 #include <lattice/lattice.hpp>
+#include <map>
 #include <numbers>
 #include <set>
 #include <support/files.hpp>
 
 #include "../own_subject.hpp"
 #include "../refusal.hpp"
+#include "../sample.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -274,6 +276,17 @@ class VerdictsOfARun : public testing::Test {
   const std::string file_ =
       (std::filesystem::temp_directory_path() / ("liecheck_lattice_" + std::to_string(getpid()))).string();
 };
+
+TEST(Lattice, TheConditionOfAFaultIsToldRightlyOrNotAtAll) {
+  LatticeOptions o;
+  o.cases = 1000, o.faults = sample<std::size_t>(600, 4000);
+  std::map<Told, std::size_t> told;
+  for (const LatticeRow& row : run_lattice(o, built_in_robot()).rows) ++told[row.verdict.told];
+  const auto asked = static_cast<double>(told[Told::right] + told[Told::other] + told[Told::silent]);
+  EXPECT_GT(asked, 60);
+  EXPECT_GE(static_cast<double>(told[Told::right]), 0.85 * asked);
+  EXPECT_LE(static_cast<double>(told[Told::other]), 0.03 * asked);
+}
 
 TEST_F(VerdictsOfARun, AreKeptAndNotComputedAgain) {
   const LatticeResult first = run_lattice(options(), built_in_robot());
