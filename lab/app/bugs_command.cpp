@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <bugs/causes.hpp>
 #include <bugs/known_bugs.hpp>
 #include <bugs/weak_tests.hpp>
 #include <history/first_failure.hpp>
+#include <map>
 #include <results/bench.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
@@ -15,6 +17,7 @@ namespace {
 struct Flags {
   BugBench bench;  ///< seed, scalar and seconds; a look-alike gets a tenth of the seconds and cases
   std::uint64_t cases = 0;
+  bool causes = false;
   std::string json;
   RobotFlags robot;
 };
@@ -69,7 +72,28 @@ void print_summary(const BugBench& b) {
         b.count(false));
 }
 
+/// Prints the bench of causes: each form, then a table by cause.
+int run_causes(const Flags& f) {
+  stop_on_signals();
+  std::map<std::string, std::map<Named, std::size_t>> table;
+  for (const CauseRow& row : bench_of_causes(f.bench.seed)) {
+    say("{:<42} {:<10} {}{}\n", row.form, named_words[static_cast<std::size_t>(row.named)], row.where,
+        row.guess.empty() ? "" : "; perhaps " + row.guess);
+    ++table[row.cause][row.named], ++table["all"][row.named];
+  }
+  say("\n{:<36}", "cause");
+  for (const char* word : named_words) say("{:>11}", word);
+  for (const auto& [cause, counts] : table) {
+    say("\n{:<36}", cause);
+    for (std::size_t i = 0; i < std::size(named_words); ++i)
+      say("{:>11}", counts.contains(Named(i)) ? counts.at(Named(i)) : 0);
+  }
+  say("\n");
+  return stop_requested ? incomplete : within_budget;
+}
+
 int run(const Flags& f) {
+  if (f.causes) return run_causes(f);
   const Robot robot = f.robot.read();
   stop_on_signals();
   BugBench bench = f.bench;
@@ -109,6 +133,7 @@ Command bugs_command(CLI::App& lab) {
              "time for each bug: 30s, 5m; default 60s; each look-alike gets a tenth of it");
   a.number("--cases", a->cases, 1, 1000000000,
            "cases of each law for each bug, at most; each look-alike gets a tenth");
+  a.toggle("--causes", a->causes, "in place of that, how often a finding names the cause of a faulty form");
   a.json(a->json, "write the table to FILE");
   a->robot.add(a);
   return a.runs(run);

@@ -88,9 +88,10 @@ void print_told(const LatticeResult& r, bool each) {
   if (asked == 0) return;
   for (const LatticeRow& row : r.rows)
     if (each && (row.verdict.told == Told::other || row.verdict.told == Told::silent))
-      say("told of {} {} {}, {}, where {}: {}\n", row.subject, row.operation, row.block, row.change, row.trigger,
-          row.verdict.told == Told::silent ? "nothing" : row.verdict.condition);
-  say("of {} found faults whose trigger is no angle, the condition is told rightly of {}, as another one of {}, and not of "
+      say("told of {} {} {}, {}, where {}: {}\n", row.subject, row.operation, row.block, row.change,
+          row.trigger, row.verdict.told == Told::silent ? "nothing" : row.verdict.condition);
+  say("of {} found faults whose trigger is no angle, the condition is told rightly of {}, as another one of "
+      "{}, and not of "
       "{}\n",
       asked, told[Told::right], told[Told::other], told[Told::silent]);
 }
@@ -135,7 +136,8 @@ Command lattice_command(CLI::App& lab) {
            "cases of each law; beyond 1000 only for rarer triggers, and a tenth for trees");
   a.number("--faults", o.faults, 1, 1000000, "a random sample of N faults; default all");
   a.number("--percent", a->percent, 1, 100, "only triggers that fire in N % of the cases of a law");
-  a.toggle("--conditions", a->conditions, "print what a finding would say of where a fault acts, if that is not right");
+  a.toggle("--conditions", a->conditions,
+           "print what a finding would say of where a fault acts, if that is not right");
   a.duration("--for", o.seconds, "stop after this time: 30s, 5m");
   a.text("--resume", o.resume, "FILE", "append each verdict to FILE, and continue what FILE contains");
   a.json(a->json, "write the table to FILE");

@@ -191,7 +191,8 @@ void Lab::tell(const LawRun& law, const Fault& fault, std::size_t output, FaultV
   const auto& fired = law.noted.at({fault.operation, fault.trigger}).cases;
   const auto first = std::ranges::count_if(fired, [](std::uint32_t i) { return i < first_cases; });
   const double due = static_cast<double>(first) / first_cases,
-               got = static_cast<double>(condition->cases) / static_cast<double>(condition->cases + condition->elsewhere);
+               got = static_cast<double>(condition->cases) /
+                     static_cast<double>(condition->cases + condition->elsewhere);
   const double spread = 3 * std::sqrt(due / first_cases);
   verdict.told = std::fabs(got - due) <= 0.2 * due + spread ? Told::right : Told::other;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // A subject whose calls are watched, and in which one fault can be planted at a time.
 
-#include <lattice/trigger.hpp>
 #include <lattice/perturbation.hpp>
+#include <lattice/trigger.hpp>
 #include <map>
 #include <memory>
 #include <search/features.hpp>

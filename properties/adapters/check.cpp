@@ -58,8 +58,8 @@ void choose(Adapter& adapter, const OperationSizes& o, const conventions::Number
   const std::vector<S> inputs(argument.begin(), argument.end());
   std::vector<S> results(o.results);
   std::vector<Status> status(1);
-  const std::string why = adapter.call(
-      {o, sizeof(S) == 8, 1, std::as_bytes(std::span(inputs)), std::as_writable_bytes(std::span(results)), status});
+  const std::string why = adapter.call({o, sizeof(S) == 8, 1, std::as_bytes(std::span(inputs)),
+                                        std::as_writable_bytes(std::span(results)), status});
   if (status[0] == Status::other_choice && complaint.empty())
     complaint = fmt::format("{}, at {:.6g}", why, fmt::join(argument, " "));
   if (status[0] == Status::done) answers.push_back({argument, {results.begin(), results.end()}});
@@ -79,7 +79,8 @@ std::vector<conventions::Finding> check_in(const char* scalar, Adapter& adapter,
     if (!p.answers.empty()) probed.push_back(std::move(p));
     conventions::Probed c{&conventions::operation_named(o.operation), {}};
     std::string& complaint = to.back().complaint;
-    for (const auto& x : conventions::choice_arguments<S>(*c.operation)) choose<S>(adapter, o, x, c.answers, complaint);
+    for (const auto& x : conventions::choice_arguments<S>(*c.operation))
+      choose<S>(adapter, o, x, c.answers, complaint);
     if (!c.answers.empty() && complaint.empty()) choosing.push_back(std::move(c));
   }
   auto findings = conventions::explain(probed);
@@ -100,7 +101,8 @@ std::vector<conventions::Finding> check_in(const char* scalar, Adapter& adapter,
 
 /// Whether two findings, in two scalars, are the same.
 bool same(const conventions::Finding& a, const conventions::Finding& b) {
-  return a.named == b.named && a.choice == b.choice && (a.named || a.choice ? a.sentence == b.sentence : a.operations == b.operations);
+  return a.named == b.named && a.choice == b.choice &&
+         (a.named || a.choice ? a.sentence == b.sentence : a.operations == b.operations);
 }
 
 Checked check_as_it_is(Adapter& adapter) {

@@ -310,14 +310,16 @@ int run(const CampaignFlags& f) {
   }
   const Robot robot = f.cases.robot.read();
   if (!f.badge.empty()) check_writable(f.badge);
-  const Differences differ = f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
+  const Differences differ =
+      f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         differ.conventions.empty()
             ? "nothing to run: no selected subject offers a selected property in that scalar"
-            : fmt::format("nothing is judged: {}. Change it in the adapter, state it, or judge the library as it "
-                          "is with --no-probe",
-                          fmt::join(differ.conventions, "; ")));
+            : fmt::format(
+                  "nothing is judged: {}. Change it in the adapter, state it, or judge the library as it "
+                  "is with --no-probe",
+                  fmt::join(differ.conventions, "; ")));
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);

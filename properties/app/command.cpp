@@ -95,10 +95,7 @@ void withhold(const std::string& text, bool quiet, Differences& all) try {
   for (const conventions::Finding& found : checked.findings) {
     if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
     if (!found.usual)
-      (found.named    ? all.conventions
-       : found.choice ? all.choices
-                      : unexplained)
-          .push_back(found.sentence);
+      (found.named ? all.conventions : found.choice ? all.choices : unexplained).push_back(found.sentence);
   }
   for (const adapters::CheckedOperation& o : checked.operations)
     if (o.complaint.starts_with("the adapter states"))
@@ -127,8 +124,8 @@ std::string text_of(const Differences& found) {
 void check_conventions(const std::string& text) {
   if (const auto differ = AdapterFlags{{text}}.withhold_others().conventions; !differ.empty())
     throw std::invalid_argument(
-        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter", text,
-                    fmt::join(differ, "; ")));
+        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter",
+                    text, fmt::join(differ, "; ")));
 }
 
 std::vector<Flag> LimitsFlags::add(Arguments& a) {

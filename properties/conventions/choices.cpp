@@ -73,7 +73,9 @@ std::string broken_sign(std::string_view value, const Operation& o, std::span<co
   const double product = start.dot(Q);
   return product < -8 * epsilon * start.norm() * Q.norm()
              ? fmt::format("the product with {} is {:.6g}",
-                           one_of(o, {"exp3_quaternion", "euler_to_quaternion"}) ? "the product of half angles" : "its input",
+                           one_of(o, {"exp3_quaternion", "euler_to_quaternion"})
+                               ? "the product of half angles"
+                               : "its input",
                            product)
              : "";
 }
@@ -109,7 +111,7 @@ std::string broken_half_turn(std::string_view value, const Operation& o, std::sp
   if (o.name == "twist_angle") {
     const double along = v.dot(Eigen::Map<const Eigen::Vector3d>(x.data() + 4));
     if (x[3] != 0 || along == 0) return "";
-    return y[0] < 0 && (!stored || along > 0)   ? fmt::format("the angle is {:.6g}", y[0])
+    return y[0] < 0 && (!stored || along > 0)  ? fmt::format("the angle is {:.6g}", y[0])
            : y[0] > 0 && (stored && along < 0) ? fmt::format("the angle is {:.6g}", y[0])
                                                : "";
   }
@@ -136,11 +138,12 @@ std::string broken_norm(std::string_view value, const Operation& o, std::span<co
 }  // namespace
 
 const std::vector<Choice>& choices() {
-  static const std::vector<Choice> all{{of_sign, {"continuous", "w >= 0", free_choice}},
-                                       {of_range, {"-pi to pi", "0 to 2 pi", free_choice}},
-                                       {of_lock, {"first is 0", "last is 0", free_choice}},
-                                       {of_half_turn, {"as stored", "first number positive", "last number positive", free_choice}},
-                                       {of_norm, {"1", "kept", free_choice}}};
+  static const std::vector<Choice> all{
+      {of_sign, {"continuous", "w >= 0", free_choice}},
+      {of_range, {"-pi to pi", "0 to 2 pi", free_choice}},
+      {of_lock, {"first is 0", "last is 0", free_choice}},
+      {of_half_turn, {"as stored", "first number positive", "last number positive", free_choice}},
+      {of_norm, {"1", "kept", free_choice}}};
   return all;
 }
 
@@ -172,10 +175,10 @@ std::vector<Numbers> choice_arguments(const Operation& o) {
   using Three = std::array<double, 3>;
   const double off = 1 + std::sqrt(std::numeric_limits<S>::epsilon());
   const Three p{0.5, -0.25, 1};
-  const Four halves[] = {{.5, .5, .5, .5},   {-.5, .5, .5, .5},  {.5, -.5, .5, .5},  {.5, .5, -.5, .5},
-                         {.5, .5, .5, -.5},  {-.5, -.5, .5, .5}, {.5, -.5, -.5, .5}, {-.5, .5, -.5, .5},
-                         {.6, 0, 0, .8},     {0, .6, 0, .8},     {0, 0, .6, .8},     {0, 1, 0, 0},
-                         {0, 0, 1, 0},       {1, 0, 0, 0},       {.1, -.3, .3, -.9}, {-.1, .7, .5, -.5},
+  const Four halves[] = {{.5, .5, .5, .5},  {-.5, .5, .5, .5},  {.5, -.5, .5, .5},  {.5, .5, -.5, .5},
+                         {.5, .5, .5, -.5}, {-.5, -.5, .5, .5}, {.5, -.5, -.5, .5}, {-.5, .5, -.5, .5},
+                         {.6, 0, 0, .8},    {0, .6, 0, .8},     {0, 0, .6, .8},     {0, 1, 0, 0},
+                         {0, 0, 1, 0},      {1, 0, 0, 0},       {.1, -.3, .3, -.9}, {-.1, .7, .5, -.5},
                          {.5, -.1, .7, .5}};
   const Four turns[] = {{.6, .8, 0, 0}, {-.6, .8, 0, 0}, {-.6, -.8, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}};
   const auto matrix = [](const Four& Q) {
@@ -212,15 +215,15 @@ std::vector<Numbers> choice_arguments(const Operation& o) {
     const std::array number{double(order)};
     if (o.name == "euler_to_quaternion") add(number, Three{3, 1, 2.5}), add(number, Three{-3, 0.2, 3});
     if (one_of(o, {"euler_from_quaternion", "euler_from_matrix"}))
-      for (const Four& Q : halves)
-        o.name == "euler_from_matrix" ? add(number, matrix(Q)) : add(number, Q);
+      for (const Four& Q : halves) o.name == "euler_from_matrix" ? add(number, matrix(Q)) : add(number, Q);
   }
   return all;
 }
 template std::vector<Numbers> choice_arguments<float>(const Operation&);
 template std::vector<Numbers> choice_arguments<double>(const Operation&);
 
-std::vector<Finding> choices_made(const std::vector<Probed>& all, const std::map<std::string, std::string>& stated, double epsilon) {
+std::vector<Finding> choices_made(const std::vector<Probed>& all,
+                                  const std::map<std::string, std::string>& stated, double epsilon) {
   std::vector<Finding> findings;
   for (const Choice& c : choices()) {
     const auto statement = stated.find(std::string(c.name));
@@ -229,7 +232,7 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all, const std::map
         return broken_choice(c.name, value, *p.operation, a.arguments, a.result, epsilon).empty();
       });
     };
-    std::vector<std::string> decided;              // operations whose answers tell the values apart
+    std::vector<std::string> decided;                 // operations whose answers tell the values apart
     std::vector<std::string_view> values = c.values;  // what all of them keep to
     std::vector<std::string> each;
     for (const Probed& p : all) {
@@ -246,11 +249,12 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all, const std::map
     const bool differ = value == free_choice && std::ranges::any_of(each, [](const std::string& e) {
                           return !e.starts_with("\"free\"");
                         });
-    findings.push_back({false,
-                        differ ? fmt::format("choice \"{}\": {}", c.name, fmt::join(each, ", "))
-                               : fmt::format("choice \"{}\": \"{}\" in {}; an adapter that states it is held to it",
-                                             c.name, value, fmt::join(decided, ", ")),
-                        decided, true, value == c.values.front() || value == free_choice});
+    findings.push_back(
+        {false,
+         differ ? fmt::format("choice \"{}\": {}", c.name, fmt::join(each, ", "))
+                : fmt::format("choice \"{}\": \"{}\" in {}; an adapter that states it is held to it", c.name,
+                              value, fmt::join(decided, ", ")),
+         decided, true, value == c.values.front() || value == free_choice});
   }
   return findings;
 }

@@ -16,7 +16,8 @@ inline constexpr std::string_view free_choice = "free";
 
 struct Choice {
   std::string_view name;
-  std::vector<std::string_view> values;  ///< the first is what liecheck does, where it decides; the last is "free"
+  std::vector<std::string_view>
+      values;  ///< the first is what liecheck does, where it decides; the last is "free"
 };
 const std::vector<Choice>& choices();
 
@@ -33,6 +34,7 @@ template <class S>
 std::vector<Numbers> choice_arguments(const Operation& operation);
 
 /// What the answers choose, each in a sentence, with the line that states it. `stated` is not named again.
-std::vector<Finding> choices_made(const std::vector<Probed>& all, const std::map<std::string, std::string>& stated, double epsilon);
+std::vector<Finding> choices_made(const std::vector<Probed>& all,
+                                  const std::map<std::string, std::string>& stated, double epsilon);
 
 }  // namespace liecheck::properties::conventions

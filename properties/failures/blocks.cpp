@@ -200,8 +200,8 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
                                   all ? std::function<bool(std::size_t)>(everywhere) : fails_in);
       if (!c) continue;
       return fmt::format("{}{}: {} of {} cases in {}, elsewhere {} of {}",
-                         all || bands == "everywhere" ? "" : bands + ", and ", text_of(*c, series.format()), c->failed,
-                         c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
+                         all || bands == "everywhere" ? "" : bands + ", and ", text_of(*c, series.format()),
+                         c->failed, c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
     }
   }
   return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);

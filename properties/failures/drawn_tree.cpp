@@ -32,7 +32,8 @@ std::string joint_line(std::size_t number, const oracles::JointOf<double>& j) {
   if (!all_zero(j.p.x)) text += ", at " + in_brackets(j.p.x);
   if (j.Q[3] != 1) text += ", turned by Q " + in_brackets(j.Q.x);
   if (j.primary >= 0)
-    text += fmt::format(", moves as {:.6g} times joint {} plus {:.6g}", j.multiplier, j.primary + 1, j.offset);
+    text +=
+        fmt::format(", moves as {:.6g} times joint {} plus {:.6g}", j.multiplier, j.primary + 1, j.offset);
   if (j.armature != 0) text += fmt::format(", armature {:.6g}", j.armature);
   text += fmt::format("; mass {:.6g}", j.body.mass);
   if (!all_zero(j.body.c.x)) text += ", c " + in_brackets(j.body.c.x);

@@ -56,8 +56,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
-  return text + fmt::format("   replay   liecheck replay {}{}\n", shown,
-                            replay_flags(series, campaign.robot));
+  return text +
+         fmt::format("   replay   liecheck replay {}{}\n", shown, replay_flags(series, campaign.robot));
 } catch (const GivenUp&) {
   return "   interrupted: this case is not measured again\n";
 }
@@ -104,8 +104,9 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
                       finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
   if (fails_at_huge_angles_only(first))
-    text += fmt::format("   domain   a limits file leaves such angles out by \"{}, angle = 100\" below [domain]\n",
-                        finding.operation);
+    text += fmt::format(
+        "   domain   a limits file leaves such angles out by \"{}, angle = 100\" below [domain]\n",
+        finding.operation);
   if (const std::string guess = guess_of(first); !guess.empty())
     text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())

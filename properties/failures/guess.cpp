@@ -11,6 +11,7 @@
 #include <failures/calls.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
+#include <search/plain.hpp>
 #include <span>
 #include <support/stop.hpp>
 
@@ -78,6 +79,21 @@ std::string about(double theta) {
   return fmt::format("1e{}", e);
 }
 
+/// The angle at which failures begin or end, between a band that fails and the next one; else the border of both.
+std::string border(const FailedBlock& f, const Point& failing, const Point& passing) {
+  const bool below = failing.x < passing.x;
+  const auto inside = [](const Point& p, double share) {  // from the lower edge up
+    return std::pow(p.low, 1 - share) * std::pow(p.high, share);
+  };
+  for (const double from : {0.1, 0.5, 0.9})
+    for (const double to : {0.9, 0.5, 0.1})
+      if (const auto angle =
+              angle_between(*f.worst->series, static_cast<int>(f.worst->output),
+                            inside(failing, below ? from : to), inside(passing, below ? to : from)))
+        return fmt::format("{:.2g}", *angle);
+  return about(below ? failing.high : failing.low);
+}
+
 bool is_rotation_vector(const FailedBlock& f) {
   return f.block == "rotation vector";
 }
@@ -98,9 +114,19 @@ bool errs_by_angle(const FailedBlock& f) {
   return f.block == "rotation" || f.block == "direction";
 }
 
+/// Whether no input of an angle from 1 to pi - 1 fails.
+bool moderate_angles_pass(const FailedBlock& f) {
+  return std::ranges::none_of(f.bands, [](const BandOf& b) {
+    const Band& band = b.series->bands()[b.band];
+    return band.axis == Axis::none && band.region == Region::to_pi && b.row->failed > 0;
+  });
+}
+
 /// What is wrong below a cutoff, above which the error ends.
 std::string below_cutoff(const FailedBlock& f, const std::vector<Point>& p, std::size_t peak) {
-  const std::string at = about(p[peak].high);
+  Point next{};
+  next.x = 0.3, next.low = 1, next.high = 2;  // moderate angles are no band of this axis
+  const std::string at = border(f, p[peak], peak + 1 < p.size() ? p[peak + 1] : next);
   if (errs_by_angle(f) && p[peak].still && p[peak - 1].still)
     return fmt::format("a threshold at theta about {}, below which the result is that of theta = 0", at);
   if (!has_series(f))
@@ -116,8 +142,9 @@ std::string at_small_angles(const FailedBlock& f) {
   if (p[peak].y < 1) return "";
   const auto at = [&](std::size_t i) { return i < p.size() ? p[i].y : 0; };
   const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
-  const bool ends_below = peak > 0 && falls(peak - 1), ends_above = peak + 1 < p.size() && falls(peak + 1),
-             fails_above = at(peak + 1) > 0.5;
+  const bool to_one = peak + 1 == p.size() && p[peak].high == 1 && moderate_angles_pass(f),
+             ends_below = peak > 0 && falls(peak - 1),
+             ends_above = to_one || (peak + 1 < p.size() && falls(peak + 1)), fails_above = at(peak + 1) > 0.5;
   const double power = slope(p), root = std::sqrt(f.worst->series->eps);
   const auto near_root = [root](double theta) { return std::fabs(std::log10(theta / root)) < 1.6; };
   // Below the root of eps the cosine is 1, and its acos is 0. The angle between two quaternions errs by chance there.
@@ -129,7 +156,7 @@ std::string at_small_angles(const FailedBlock& f) {
   if (has_series(f) && ends_below && fails_above && p[peak].many_fail())
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
-        about(p[peak].low));
+        border(f, p[peak], p[peak - 1]));
   if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && ends_above && falls(peak - 2) &&
       p[peak].many_fail())
     return below_cutoff(f, p, peak);
@@ -139,7 +166,7 @@ std::string at_small_angles(const FailedBlock& f) {
       p[zeros].low < 1.01 * p[zeros - 1].high)  // the next band has cases, too
     return fmt::format(
         "the result is 0 where theta is below about {}: a threshold, or acos of a number that rounds to 1",
-        about(p[zeros - 1].high));
+        border(f, p[zeros - 1], p[zeros]));
   if (has_series(f) && peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3) &&
       p[peak].cases >= 10)
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
@@ -242,6 +269,7 @@ std::string of_not_finite(const FailedBlock& f) {
 /// four digits and keep four, and all.
 struct Moderate {
   std::uint64_t other_branch = 0, wrong = 0, coarse = 0, all = 0;
+  double largest = 0;  ///< relative error of a coarse case
 };
 Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   Moderate m;
@@ -255,7 +283,7 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
       if (const double error = std::exp2(bin / 32.0); error > 1e-3 / eps)
         m.wrong += count;
       else if (error > 1e4 && error < 1e-4 / eps)
-        m.coarse += count;
+        m.coarse += count, m.largest = std::max(m.largest, error * eps);
   }
   return m;
 }
@@ -313,7 +341,7 @@ std::string guess_of(const FailedBlock& f) {
        {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_underflow(f), of_not_finite(f)})
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  if (m.coarse * 2 > m.all && !euler_angles)
+  if (m.coarse * 2 > m.all && !euler_angles && m.largest < 0x1p-20)
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

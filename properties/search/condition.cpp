@@ -9,14 +9,13 @@
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
 #include <search/shrink.hpp>
-#include <subjects/number_function.hpp>
 #include <span>
+#include <subjects/number_function.hpp>
 #include <support/stop.hpp>
 #include <utility>
 
 namespace liecheck::properties {
 namespace {
-
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t tried_cases = 2000, least = 3;
@@ -69,7 +68,8 @@ constexpr Name names[] = {
     {Feature::off_orthogonal, "|R^T R - I|", " eps", Written::number},
     {Feature::along, "the cosine between the axis and the vector", "", Written::number},
     {Feature::point, "the inertia is 0", "the inertia is not 0", Written::flag},
-    {Feature::moments_apart, "the smallest difference of moments of inertia, over the largest moment", "", Written::number},
+    {Feature::moments_apart, "the smallest difference of moments of inertia, over the largest moment", "",
+     Written::number},
     {Feature::thin, "the smallest over the largest moment of inertia", "", Written::number},
     {Feature::flat, "(I1 + I2 - I3) / I3 of the moments of inertia", "", Written::number},
     {Feature::mass_ratio, "the ratio of masses", "", Written::number},
@@ -89,7 +89,10 @@ struct Tried {
 class Trial {
  public:
   Trial(const Series& series, std::size_t output, const std::function<bool(std::size_t band)>& looked_at)
-      : series_(series), output_(output), looked_at_(looked_at), of_tree_(is_tree_law(series.property) && !series.on_robot) {}
+      : series_(series),
+        output_(output),
+        looked_at_(looked_at),
+        of_tree_(is_tree_law(series.property) && !series.on_robot) {}
 
   /// None if the band is not looked at, or if nothing was measured of the output.
   std::optional<Tried> operator()(const std::vector<double>& x) {
@@ -118,8 +121,9 @@ class Trial {
       throw;
     }
     call_hook() = before;
-    const auto of_output = std::ranges::find(judged, static_cast<int>(output_),
-                                             [](const Judged& j) { return static_cast<int>(j.residual.output); });
+    const auto of_output = std::ranges::find(judged, static_cast<int>(output_), [](const Judged& j) {
+      return static_cast<int>(j.residual.output);
+    });
     if (!features && of_tree_) features = context.features;  // the output is formed from several calls
     if (of_output == judged.end() || !features) return std::nullopt;
     const auto failure = failure_of(judged, static_cast<int>(output_));
@@ -136,7 +140,8 @@ class Trial {
 
 /// A point between two inputs of the same size: of rotations along an arc, of all else along a line. Empty if a group that
 /// has no points between differs.
-std::vector<double> point_between(const Series& series, const std::vector<double>& a, const std::vector<double>& b, double t) {
+std::vector<double> point_between(const Series& series, const std::vector<double>& a,
+                                  const std::vector<double>& b, double t) {
   std::vector<double> x(a.size());
   std::size_t at = 0;
   for (const Field& f : series.fields) {
@@ -169,7 +174,8 @@ std::vector<double> point_between(const Series& series, const std::vector<double
 
 class ConditionSearch {
  public:
-  ConditionSearch(const Series& series, std::size_t output, const std::function<bool(std::size_t band)>& looked_at)
+  ConditionSearch(const Series& series, std::size_t output,
+                  const std::function<bool(std::size_t band)>& looked_at)
       : series_(series), trial_(series, output, looked_at) {}
 
   std::optional<Condition> run(std::uint64_t seed) {
@@ -177,19 +183,25 @@ class ConditionSearch {
     std::uint64_t failed = 0;
     for (std::uint64_t i = 0; i < tried_cases; ++i) {
       if (stop_requested || std::chrono::steady_clock::now() > end) break;
-      if (auto t = trial_(series_.numbers(series_.id(seed, i)))) failed += t->failed, all_.push_back(std::move(*t));
+      if (auto t = trial_(series_.numbers(series_.id(seed, i))))
+        failed += t->failed, all_.push_back(std::move(*t));
     }
     if (failed < least || all_.size() - failed < least) return std::nullopt;
     std::optional<Condition> best;
     double least_cost = std::numeric_limits<double>::infinity();
     for (const Name& name : names)
       for (const Condition& c : candidates(name, failed))
-        if (const double cost = errors(c) + 0.02 * static_cast<double>(failed) * borders(name, c); cost < least_cost)
+        if (const double cost = errors(c) + 0.02 * static_cast<double>(failed) * borders(name, c);
+            cost < least_cost)
           best = c, least_cost = cost;
     if (!best || 20 * best->failed < 19 * failed) return std::nullopt;
-    const double inside = static_cast<double>(best->failed) / static_cast<double>(best->cases),
-                 all = static_cast<double>(failed) / static_cast<double>(all_.size());
-    if (inside < 0.9 && (inside < 0.25 || inside < 3 * all)) return std::nullopt;
+    const auto share = [](std::uint64_t part, std::uint64_t whole) {
+      return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+    };
+    const double inside = share(best->failed, best->cases), all = share(failed, all_.size());
+    const bool separates = 50 * best->failed_elsewhere <= best->elsewhere + 50,
+               halves = inside >= 0.5 && 5 * best->elsewhere >= all_.size();
+    if (!separates || (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all))) return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);
     return best;
   }
@@ -208,7 +220,8 @@ class ConditionSearch {
   void count(Condition& c) const {
     c.failed = c.cases = c.failed_elsewhere = c.elsewhere = 0;
     for (const Tried& t : all_)
-      c.holds(t.features) ? (++c.cases, c.failed += t.failed) : (++c.elsewhere, c.failed_elsewhere += t.failed);
+      c.holds(t.features) ? (++c.cases, c.failed += t.failed)
+                          : (++c.elsewhere, c.failed_elsewhere += t.failed);
   }
   /// The ranges of a feature, open on a side or not, that hold all failing cases, or all but a twentieth on a side.
   std::vector<Condition> candidates(const Name& name, std::uint64_t failed) const {
@@ -256,7 +269,8 @@ class ConditionSearch {
       if (t.failed && c.holds(t.features) &&
           (!in || (low ? v < in->features[c.feature] : v > in->features[c.feature])))
         in = &t;
-      if (!t.failed && beyond && (!out || (low ? v > out->features[c.feature] : v < out->features[c.feature])))
+      if (!t.failed && beyond &&
+          (!out || (low ? v > out->features[c.feature] : v < out->features[c.feature])))
         out = &t;
     }
     if (!in || !out) return;
@@ -309,12 +323,14 @@ std::optional<Condition> condition_of(const Series& series, std::size_t output, 
 std::string text_of(const Condition& c, const Scalar& scalar) {
   const Name& name = *std::ranges::find(names, c.feature, &Name::feature);
   const auto value = [&](double v) {
-    return name.written == Written::scale ? fmt::format("{:.2g}{}", std::exp2(v * scalar.max_exponent), name.unit)
+    return name.written == Written::scale
+               ? fmt::format("{:.2g}{}", std::exp2(v * scalar.max_exponent), name.unit)
            : name.written == Written::count ? fmt::format("{}", std::ceil(v))
                                             : fmt::format("{:.2g}{}", v, name.unit);
   };
   if (name.written == Written::flag) return c.low > 0 ? name.name : name.unit;
-  if (c.low == 0 && c.high == std::numeric_limits<double>::denorm_min()) return fmt::format("{} = 0", name.name);
+  if (c.low == 0 && c.high == std::numeric_limits<double>::denorm_min())
+    return fmt::format("{} = 0", name.name);
   const bool below = c.low == -infinity, above = c.high == infinity;
   if (name.written == Written::count && (!above || below)) {
     const double first = std::ceil(c.low), last = std::ceil(c.high) - 1;

@@ -13,8 +13,8 @@ namespace liecheck::properties {
 struct Condition {
   Feature feature = Feature::one;
   double low = 0, high = 0;
-  std::uint64_t failed = 0, cases = 0;                  ///< where it holds
-  std::uint64_t failed_elsewhere = 0, elsewhere = 0;    ///< where it does not
+  std::uint64_t failed = 0, cases = 0;                ///< where it holds
+  std::uint64_t failed_elsewhere = 0, elsewhere = 0;  ///< where it does not
   bool holds(const Features& f) const { return f[feature] >= low && f[feature] < high; }
 };
 

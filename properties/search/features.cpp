@@ -73,8 +73,8 @@ class Sorter {
       angle(2 * std::atan2(v, w), 2 * std::atan2(w, v));
     } else if (matrix_) {
       const Long s = std::sqrt(squared(entry(2, 1) - entry(1, 2)) + squared(entry(0, 2) - entry(2, 0)) +
-                                 squared(entry(1, 0) - entry(0, 1))),
-                   c = entry(0, 0) + entry(1, 1) + entry(2, 2) - 1;
+                               squared(entry(1, 0) - entry(0, 1))),
+                 c = entry(0, 0) + entry(1, 1) + entry(2, 2) - 1;
       angle(std::atan2(s, c), std::atan2(s, -c));
     }
     const double* const axis = phi_ ? phi_ : !quaternions_.empty() ? quaternions_[0] : vector_;
@@ -84,9 +84,8 @@ class Sorter {
       features_[Of::octant] = octant, features_[Of::zeros] = zeros;
       features_[Of::x_negative] = octant & 1, features_[Of::y_negative] = octant >> 1 & 1;
       features_[Of::z_negative] = octant >> 2;
-      features_[Of::largest] = static_cast<double>(std::ranges::max_element(axis, axis + 3, {},
-                                                                           [](double x) { return std::fabs(x); }) -
-                                                  axis);
+      features_[Of::largest] = static_cast<double>(
+          std::ranges::max_element(axis, axis + 3, {}, [](double x) { return std::fabs(x); }) - axis);
       if (vector_ && axis != vector_) {
         Long sum = 0;
         for (int i = 0; i < 3; ++i) sum += Long(axis[i]) * Long(vector_[i]);
@@ -175,7 +174,10 @@ class Sorter {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(x[i]));
     const bool increment = part.name == "delta", drive = part.name == "a" || part.name == "tau";
-    raise(part.size == nq ? Of::position : increment || part.name == "v" ? Of::joint_speed : Of::drive, largest);
+    raise(part.size == nq                 ? Of::position
+          : increment || part.name == "v" ? Of::joint_speed
+                                          : Of::drive,
+          largest);
     if (!floating_ || drive) return;
     if (part.size == nq && n >= 7) points_.push_back(x), add_quaternion(x + 3);
     if (increment && n >= 6) phi_ = x + 3;

@@ -107,4 +107,29 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
   return std::nullopt;
 }
 
+std::optional<double> angle_between(const Series& series, int output, double failing, double passing) {
+  const Property& law = series.tested_law();
+  for (const double sign : {1.0, -1.0})
+    for (std::size_t turned = series.fields.size() + 1; turned-- > 0;)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (turned < series.fields.size() && !turns(series.fields[turned].kind)) continue;
+        const auto fails = [&](double angle) -> std::optional<bool> {
+          Plain x = input_of(series.fields, turned, angle, axis, sign, vectors[0]);
+          for (double& number : x) number = series.format().rounded(number);
+          if (stop_requested || x.empty() || !law.takes(x.size()) || !law.valid(x)) return std::nullopt;
+          return failure_of(series.measure(x), output).has_value();
+        };
+        if (!fails(failing).value_or(false) || fails(passing).value_or(true)) continue;
+        double in = failing, out = passing;
+        for (int k = 0; k < 12; ++k) {  // to a factor of 1.001 of a decade
+          const double angle = std::sqrt(in * out);
+          const auto failed = fails(angle);
+          if (!failed) break;
+          (*failed ? in : out) = angle;
+        }
+        return std::sqrt(in * out);
+      }
+  return std::nullopt;
+}
+
 }  // namespace liecheck::properties

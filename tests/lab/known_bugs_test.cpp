@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <bugs/causes.hpp>
+#include <map>
 #include <algorithm>
 #include <bugs/known_bugs.hpp>
 #include <bugs/weak_tests.hpp>
@@ -56,6 +58,15 @@ TEST(KnownBugs, AFindingOnATreeDrawsItAndSaysWhere) {
   EXPECT_NE(text.find("   tree     1  "), std::string::npos) << text;
   EXPECT_NE(text.find(", armature 1; mass 1"), std::string::npos) << text;
   EXPECT_NE(text.find("M[0] is 3, and 2 is right"), std::string::npos) << text;
+}
+
+TEST(KnownBugs, TheCauseOfAFaultyFormIsNamedRightlyOrNotAtAll) {
+  std::map<Named, double> named;
+  double found = 0;
+  for (const CauseRow& row : bench_of_causes(42)) ++named[row.named], found += row.named != Named::not_found;
+  EXPECT_GE(found, 150);
+  EXPECT_GE(named[Named::right], 0.85 * found);
+  EXPECT_LE(named[Named::wrong], 0.03 * found);
 }
 
 }  // namespace

@@ -126,7 +126,9 @@ struct Library {
 };
 
 TEST(Choices, OfALibraryAreNamedAndHeldToOnceTheyAreStated) {
-  const Choose opposite = [](std::string_view o, const Numbers&, Numbers& y) { negate(y, o == "integrate" ? 3 : 0); };
+  const Choose opposite = [](std::string_view o, const Numbers&, Numbers& y) {
+    negate(y, o == "integrate" ? 3 : 0);
+  };
   const Library libraries[] = {
       {"exp3_quaternion", "quaternion sign", "continuous", exact, positive_w},
       {"exp3_quaternion", "quaternion sign", "w >= 0", positive_w, exact},
@@ -163,8 +165,9 @@ TEST(Choices, OfALibraryAreNamedAndHeldToOnceTheyAreStated) {
     const conventions::Statements stated{{l.choice, l.value}};
     const Checked kept = checked({l.operation}, l.choose, stated);
     EXPECT_EQ(complaints(kept), std::vector<std::string>()) << what;
-    EXPECT_TRUE(std::ranges::none_of(kept.findings, [&](const auto& f) { return f.sentence.starts_with(named); }))
-        << what;
+    EXPECT_TRUE(std::ranges::none_of(kept.findings, [&](const auto& f) {
+      return f.sentence.starts_with(named);
+    })) << what;
     if (l.value == "free") continue;
     const std::vector<std::string> broken = complaints(checked({l.operation}, l.other, stated));
     ASSERT_EQ(broken.size(), 1u) << what;
@@ -173,11 +176,13 @@ TEST(Choices, OfALibraryAreNamedAndHeldToOnceTheyAreStated) {
 }
 
 TEST(Choices, ThatDifferBetweenOperationsAreNamedForEach) {
-  const Checked all = checked({"exp3_quaternion", "integrate"}, [](std::string_view o, const Numbers& x, Numbers& y) {
-    o == "integrate" ? continuous(3)(o, x, y) : positive_w(o, x, y);
-  });
+  const Checked all =
+      checked({"exp3_quaternion", "integrate"}, [](std::string_view o, const Numbers& x, Numbers& y) {
+        o == "integrate" ? continuous(3)(o, x, y) : positive_w(o, x, y);
+      });
   EXPECT_TRUE(std::ranges::any_of(all.findings, [](const auto& f) {
-    return f.sentence == R"(choice "quaternion sign": "w >= 0" in exp3_quaternion, "continuous" in integrate)";
+    return f.sentence ==
+           R"(choice "quaternion sign": "w >= 0" in exp3_quaternion, "continuous" in integrate)";
   }));
 }
 

@@ -10,7 +10,8 @@ namespace liecheck::properties {
 namespace {
 
 /// liecheck's rotate_point, twice as long where `wrong(Q, p)`.
-void add(const std::string& name, const std::function<bool(const Vec<double, 4>&, const Vec<double, 3>&)>& wrong) {
+void add(const std::string& name,
+         const std::function<bool(const Vec<double, 4>&, const Vec<double, 3>&)>& wrong) {
   Subject s{name, "1", "", &oracles::scalar_of<double>};
   s.operations[op::rotate_point] = [wrong, right = erased(own_subject()).operations[op::rotate_point]](
                                        const Vec<double, 4>& Q, const Vec<double, 3>& p) -> Vec<double, 3> {
@@ -24,7 +25,8 @@ const bool are_registered = [] {
   add("where:w", [](const auto& Q, const auto&) { return Q[3] < 0; });
   add("where:length", [](const auto&, const auto& p) { return p.norm() > 3e5; });
   add("where:y", [](const auto& Q, const auto&) { return Q[1] < 0; });
-  add("where:any", [](const auto& Q, const auto& p) { return std::fmod(std::fabs(1e3 * (Q[0] + p[1])), 1) < 0.3; });
+  add("where:any",
+      [](const auto& Q, const auto& p) { return std::fmod(std::fabs(1e3 * (Q[0] + p[1])), 1) < 0.3; });
   add("where:angle", [](const auto& Q, const auto&) { return std::fabs(Q[3]) < 0.5; });
   return true;
 }();
