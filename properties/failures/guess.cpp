@@ -79,6 +79,14 @@ std::string about(double theta) {
   return fmt::format("1e{}", e);
 }
 
+/// Two digits, as 0.02 or 1.5e-8, and a power of ten as 1e-2.
+std::string short_of(double x) {
+  if (std::fabs(std::log10(x) - std::round(std::log10(x))) < 0.02) return about(x);
+  std::string text = fmt::format("{:.2g}", x);
+  if (const auto zero = text.find("e-0"); zero != text.npos) text.erase(zero + 2, 1);
+  return text;
+}
+
 /// The angle at which failures begin or end, between a band that fails and the next one; else the border of both.
 std::string border(const FailedBlock& f, const Point& failing, const Point& passing) {
   const bool below = failing.x < passing.x;
@@ -90,7 +98,7 @@ std::string border(const FailedBlock& f, const Point& failing, const Point& pass
       if (const auto angle =
               angle_between(*f.worst->series, static_cast<int>(f.worst->output),
                             inside(failing, below ? from : to), inside(passing, below ? to : from)))
-        return fmt::format("{:.2g}", *angle);
+        return short_of(*angle);
   return about(below ? failing.high : failing.low);
 }
 
@@ -144,7 +152,8 @@ std::string at_small_angles(const FailedBlock& f) {
   const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
   const bool to_one = peak + 1 == p.size() && p[peak].high == 1 && moderate_angles_pass(f),
              ends_below = peak > 0 && falls(peak - 1),
-             ends_above = to_one || (peak + 1 < p.size() && falls(peak + 1)), fails_above = at(peak + 1) > 0.5;
+             ends_above = to_one || (peak + 1 < p.size() && falls(peak + 1)),
+             fails_above = at(peak + 1) > 0.5;
   const double power = slope(p), root = std::sqrt(f.worst->series->eps);
   const auto near_root = [root](double theta) { return std::fabs(std::log10(theta / root)) < 1.6; };
   // Below the root of eps the cosine is 1, and its acos is 0. The angle between two quaternions errs by chance there.
@@ -269,7 +278,14 @@ std::string of_not_finite(const FailedBlock& f) {
 /// four digits and keep four, and all.
 struct Moderate {
   std::uint64_t other_branch = 0, wrong = 0, coarse = 0, all = 0;
-  double largest = 0;  ///< relative error of a coarse case
+  double largest = 0;                 ///< relative error of a coarse case
+  std::map<int, std::uint64_t> bins;  ///< of the coarse cases
+  /// Whether nine coarse cases of ten err by the same, but for a factor of 2, as a wrong constant does.
+  bool same() const {
+    std::uint64_t like = 0;
+    for (const auto& [bin, count] : bins) like += bins.rbegin()->first - bin <= 32 ? count : 0;
+    return 10 * like >= 9 * coarse;
+  }
 };
 Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   Moderate m;
@@ -283,7 +299,7 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
       if (const double error = std::exp2(bin / 32.0); error > 1e-3 / eps)
         m.wrong += count;
       else if (error > 1e4 && error < 1e-4 / eps)
-        m.coarse += count, m.largest = std::max(m.largest, error * eps);
+        m.coarse += count, m.largest = std::max(m.largest, error * eps), m.bins[bin] += count;
   }
   return m;
 }
@@ -341,7 +357,7 @@ std::string guess_of(const FailedBlock& f) {
        {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_underflow(f), of_not_finite(f)})
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  if (m.coarse * 2 > m.all && !euler_angles && m.largest < 0x1p-20)
+  if (m.coarse * 2 > m.all && !euler_angles && (m.largest < 0x1p-20 || m.same()))
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

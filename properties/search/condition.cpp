@@ -201,7 +201,10 @@ class ConditionSearch {
     const double inside = share(best->failed, best->cases), all = share(failed, all_.size());
     const bool separates = 50 * best->failed_elsewhere <= best->elsewhere + 50,
                halves = inside >= 0.5 && 5 * best->elsewhere >= all_.size();
-    if (!separates || (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all))) return std::nullopt;
+    const bool angle_alone = best->feature == Feature::trace;  // a negative trace is an angle above 2 pi / 3
+    if (!separates || (inside < 0.9 && angle_alone) ||
+        (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all)))
+      return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);
     return best;
   }
