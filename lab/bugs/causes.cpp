@@ -311,10 +311,11 @@ Named judged_guess(const Form& form, const std::string& guess, const std::string
   };
   if (form.cause.name == nothing.name)
     return guess.empty() ? Named::right : says(guess, form.cause.near) ? Named::near : Named::wrong;
-  if (form.cause.name == sign_of_w.name && says(where, "w < 0|Q0 . Q1 < 0")) return Named::right;
-  if (guess.empty()) return Named::silent;
+  const bool told = form.cause.name == sign_of_w.name && says(where, "w < 0|Q0 . Q1 < 0");
+  if (!told && guess.empty()) return Named::silent;
   if (says(guess, form.cause.right))
     return names_threshold(guess, form.threshold) ? Named::right : Named::near;
+  if (told) return Named::where;
   return says(guess, form.cause.near) ? Named::near : Named::wrong;
 }
 

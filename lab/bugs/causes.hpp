@@ -7,8 +7,8 @@
 
 namespace liecheck::properties {
 
-enum class Named : std::uint8_t { right, near, wrong, silent, not_found };
-inline constexpr const char* named_words[] = {"right", "near", "wrong", "silent", "not found"};
+enum class Named : std::uint8_t { right, where, near, wrong, silent, not_found };
+inline constexpr const char* named_words[] = {"right", "where", "near", "wrong", "silent", "not found"};
 
 /// One faulty form of one operation of the subject liecheck.
 struct CauseRow {
@@ -20,7 +20,8 @@ struct CauseRow {
 };
 
 /// Runs a campaign of a thousand cases on each form, in double, until a signal. A guess is right if it names the class, with
-/// the threshold within a factor of 2; near if it names the class with another threshold, or says where alone.
+/// the threshold within a factor of 2; `where` if the finding
+/// says under which condition it fails, and not why; near if it names the kind, or another threshold.
 std::vector<CauseRow> bench_of_causes(std::uint64_t seed);
 
 }  // namespace liecheck::properties

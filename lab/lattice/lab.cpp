@@ -1,6 +1,5 @@
 #include <invariants/property.hpp>
 #include <lattice/lab.hpp>
-
 #include <search/condition.hpp>
 
 #include <fmt/format.h>
@@ -182,7 +181,7 @@ void Lab::tell(const LawRun& law, const Fault& fault, std::size_t output, FaultV
   std::optional<Condition> condition;
   {
     const Watch::Active active(watch_);
-    condition = condition_of(*law.series, output, seed_, [](std::size_t) { return true; });
+    condition = condition_of(*law.series, output, seed_);
   }
   watch_.fault = nullptr, watch_.planted = false;
   verdict.told = Told::silent;

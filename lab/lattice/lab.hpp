@@ -33,8 +33,9 @@ struct FaultVerdict {
   std::uint64_t cases = 0;  ///< of a law, until it fails; 0 if none failed
   std::string by;           ///< law: operation, block
   double share = 0;         ///< of the cases of a law in which the trigger fires; the largest of all laws
-  Told told = Told::unasked;   ///< of a found fault whose trigger is no angle and no habit, of a law that the base passes, in this run
-  std::string condition = {};
+  /// Of this run, for a found fault whose trigger is no angle and no habit, of a law that the base passes.
+  Told told = Told::unasked;
+  std::string condition = {};  ///< in words, if one was told
 };
 
 /// Which laws run: those of single operations and robots, and those of trees.
@@ -83,7 +84,7 @@ class Lab {
   /// The state of one fault's trial.
   struct Trial {
     std::uint64_t granted = 0;
-    bool changed = false;  ///< a result, in a case that the base passes
+    bool changed = false;    ///< a result, in a case that the base passes
     std::size_t output = 0;  ///< the one that failed
   };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <oracles/orientations.hpp>
 
 namespace liecheck::properties::conventions {
 namespace {
@@ -25,18 +26,20 @@ Numbers4 four_of(std::span<const double> x, std::size_t from = 0) {
   return Eigen::Map<const Numbers4>(x.data() + from);
 }
 
-/// Euler angles of order 2 s or 2 s + 1, where s counts XYZ XZY YXZ YZX ZXY ZYX, then the six with equal ends.
+/// Whether the first and the last axis of Euler angles are the same.
 bool has_equal_ends(double order) {
-  return order >= 12;
+  const oracles::Order o(static_cast<int>(order));
+  return o.axes[0] == o.axes[2];
+}
+Eigen::Quaterniond turn(double angle, const Eigen::Vector3d& axis) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
 }
 Numbers4 quaternion_of_angles(double order, std::span<const double> angles) {
-  static constexpr int axes[12][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
-                                      {0, 1, 0}, {0, 2, 0}, {1, 0, 1}, {1, 2, 1}, {2, 0, 2}, {2, 1, 2}};
-  const int number = static_cast<int>(order);
+  const oracles::Order o(static_cast<int>(order));
   Eigen::Quaterniond Q = Eigen::Quaterniond::Identity();
   for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angles[i], Eigen::Vector3d::Unit(axes[number / 2][i])));
-    Q = number % 2 ? Q * turn : turn * Q;
+    const Eigen::Quaterniond next = turn(angles[i], Eigen::Vector3d::Unit(o.axes[i]));
+    Q = o.rotating ? Q * next : next * Q;
   }
   return Q.coeffs();
 }
@@ -52,10 +55,7 @@ bool gives_quaternion(const Operation& o, std::size_t* from) {
 Numbers4 begins_at(const Operation& o, std::span<const double> x) {
   if (o.name == "exp3_quaternion") {
     const Eigen::Vector3d phi(x[0], x[1], x[2]);
-    const double theta = phi.norm();
-    Numbers4 Q = Numbers4::Unit(3);
-    if (theta > 0) Q << std::sin(theta / 2) / theta * phi, std::cos(theta / 2);
-    return Q;
+    return turn(phi.stableNorm(), phi.stableNormalized()).coeffs();
   }
   if (o.name == "euler_to_quaternion") return quaternion_of_angles(x[0], x.subspan(1));
   if (one_of(o, {"integrate", "integrate_any_norm"})) return four_of(x, 3);
@@ -95,8 +95,11 @@ std::string broken_lock(std::string_view value, const Operation& o, std::span<co
   if (kind_of(*o.results[0]) != Kind::euler_angles) return "";
   const auto is = [&](double angle) { return std::fabs(std::fabs(y[1]) - angle) <= epsilon * angle / 2; };
   if (has_equal_ends(x[0]) ? !is(0) && !is(pi) : !is(pi / 2)) return "";
-  const double zero = value == "first is 0" ? y[0] : y[2];
-  return zero != 0 ? fmt::format("it is {:.6g} where the middle angle is {:.6g}", zero, y[1]) : "";
+  const bool first = value == "first is 0";
+  const double zero = first ? y[0] : y[2];
+  return zero != 0 ? fmt::format("the {} angle is {:.6g} where the middle one is {:.6g}",
+                                 first ? "first" : "last", zero, y[1])
+                   : "";
 }
 
 std::string broken_half_turn(std::string_view value, const Operation& o, std::span<const double> x,
@@ -132,7 +135,9 @@ std::string broken_norm(std::string_view value, const Operation& o, std::span<co
                         std::span<const double> y, double epsilon) {
   if (o.name != "integrate") return "";
   const double is = four_of(y, 3).norm(), due = value == "1" ? 1 : four_of(x, 3).norm();
-  return std::fabs(is / due - 1) > 16 * epsilon ? fmt::format("|Q1| is 1 {:+.3g}", is - 1) : "";
+  return std::fabs(is / due - 1) > 16 * epsilon
+             ? fmt::format("|Q1| is {:.9g}, and |Q0| is {:.9g}", is, four_of(x, 3).norm())
+             : "";
 }
 
 }  // namespace

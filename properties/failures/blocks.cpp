@@ -5,7 +5,6 @@
 #include <campaign/expected.hpp>
 #include <cmath>
 #include <failures/result.hpp>
-#include <functional>
 #include <map>
 #include <search/condition.hpp>
 #include <tuple>
@@ -194,15 +193,11 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
     const auto fails_in = [&](std::size_t band) {
       return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
     };
-    const auto everywhere = [](std::size_t) { return true; };
-    for (const bool all : {true, false}) {
-      const auto c = condition_of(series, worst.output, campaign.options.seed,
-                                  all ? std::function<bool(std::size_t)>(everywhere) : fails_in);
-      if (!c) continue;
+    if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in))
       return fmt::format("{}{}: {} of {} cases in {}, elsewhere {} of {}",
-                         all || bands == "everywhere" ? "" : bands + ", and ", text_of(*c, series.format()),
-                         c->failed, c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
-    }
+                         c->in_bands && bands != "everywhere" ? bands + ", and " : "",
+                         text_of(*c, series.format()), c->failed, c->cases, f.scalar, c->failed_elsewhere,
+                         c->elsewhere);
   }
   return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);
 }

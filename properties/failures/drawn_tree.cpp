@@ -61,8 +61,12 @@ std::string drawn_tree(const Series& series, const CaseId& id) {
     line(i == 0 ? "tree" : "", joint_line(i + 1, c.tree.joints[i]));
   line("", "gravity " + in_brackets(c.tree.gravity.x));
   line("", "q = " + in_brackets(c.q));
-  for (const auto& [name, numbers] : {std::pair("v", &c.v), std::pair("a", &c.a)})
+  for (const auto& [name, numbers] :
+       {std::pair("v", &c.v), std::pair("a", &c.a), std::pair("increment", &c.d)})
     if (!all_zero(*numbers)) line("", fmt::format("{} = {}", name, in_brackets(*numbers)));
+  if (!all_zero(c.frame_p.x) || c.frame_Q[3] != 1)
+    line("", fmt::format("frame on joint {}, at {}, turned by Q {}", c.frame_joint + 1,
+                         in_brackets(c.frame_p.x), in_brackets(c.frame_Q.x)));
   if (!c.wrench.empty())
     line("", fmt::format("wrench {} on joint {}", in_brackets(c.wrench[0].F.x), c.wrench[0].joint + 1));
   return text;

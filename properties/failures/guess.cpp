@@ -357,6 +357,7 @@ std::string guess_of(const FailedBlock& f) {
        {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_underflow(f), of_not_finite(f)})
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
+  // A float rounds by 2^-24, and a formula may do so a dozen times.
   if (m.coarse * 2 > m.all && !euler_angles && (m.largest < 0x1p-20 || m.same()))
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";

@@ -75,11 +75,17 @@ Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angl
   return all;
 }
 
+/// The input rounded to the scalar; empty if the law does not take it.
+Plain taken(const Series& series, Plain x) {
+  for (double& number : x) number = series.format().rounded(number);
+  const Property& law = series.tested_law();
+  return x.empty() || !law.takes(x.size()) || !law.valid(x) ? Plain() : x;
+}
+
 }  // namespace
 
 std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, int output,
                                     const std::vector<BandOfFailure>& bands) {
-  const Property& law = series.tested_law();
   const auto first = failure_of(series.measure_twice(series.numbers(worst)), output);
   if (!first || is_misuse(first->residual.outcome) || first->residual.outcome == Outcome::crashed)
     return std::nullopt;
@@ -97,9 +103,9 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
           for (std::size_t axis = 0; axis < 3; ++axis) {
             if (turned < fields && !turns(series.fields[turned].kind)) continue;
             if (stop_requested) return std::nullopt;
-            Plain x = input_of(series.fields, turned, angle_in(series.bands()[band.band]), axis, sign, of);
-            for (double& number : x) number = series.format().rounded(number);
-            if (x.empty() || !law.takes(x.size()) || !law.valid(x)) continue;
+            const Plain x = taken(
+                series, input_of(series.fields, turned, angle_in(series.bands()[band.band]), axis, sign, of));
+            if (x.empty()) continue;
             const auto j = failure_of(series.measure(x), output);
             if (!j || !as_bad(*j)) continue;
             return case_with(series, worst, x, *j);
@@ -107,21 +113,19 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
   return std::nullopt;
 }
 
-std::optional<double> angle_between(const Series& series, int output, double failing, double passing) {
-  const Property& law = series.tested_law();
+std::optional<double> angle_between(const Series& series, int output, double failing, double passing) try {
   for (const double sign : {1.0, -1.0})
     for (std::size_t turned = series.fields.size() + 1; turned-- > 0;)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turned < series.fields.size() && !turns(series.fields[turned].kind)) continue;
         const auto fails = [&](double angle) -> std::optional<bool> {
-          Plain x = input_of(series.fields, turned, angle, axis, sign, vectors[0]);
-          for (double& number : x) number = series.format().rounded(number);
-          if (stop_requested || x.empty() || !law.takes(x.size()) || !law.valid(x)) return std::nullopt;
+          const Plain x = taken(series, input_of(series.fields, turned, angle, axis, sign, vectors[0]));
+          if (stop_requested || x.empty()) return std::nullopt;
           return failure_of(series.measure(x), output).has_value();
         };
         if (!fails(failing).value_or(false) || fails(passing).value_or(true)) continue;
         double in = failing, out = passing;
-        for (int k = 0; k < 12; ++k) {  // to a factor of 1.001 of a decade
+        for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
           const double angle = std::sqrt(in * out);
           const auto failed = fails(angle);
           if (!failed) break;
@@ -129,6 +133,8 @@ std::optional<double> angle_between(const Series& series, int output, double fai
         }
         return std::sqrt(in * out);
       }
+  return std::nullopt;
+} catch (const GivenUp&) {  // a signal ended a call
   return std::nullopt;
 }
 

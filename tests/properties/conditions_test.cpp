@@ -35,7 +35,7 @@ std::optional<Condition> found(const std::string& subject) {
   for (const auto& s : select({{subject}, {}, {"double"}}, built_in_robot()))
     for (std::size_t i = 0; i < s->outputs.size(); ++i)
       if (s->outputs[i].operation == "rotate_point")
-        return condition_of(*s, i, 42, [](std::size_t) { return true; });
+        return condition_of(*s, i, 42);
   ADD_FAILURE() << "no law measures rotate_point";
   return std::nullopt;
 }
