@@ -30,6 +30,15 @@ std::string cases_text(const Json& record) {
                      total.is_number() ? fmt::format(", {} in all", dumped(total)) : "");
 }
 
+/// What a campaign printed of its findings.
+std::string findings(const Merged& merged) {
+  std::string out;
+  for (const Json& record : merged.records)
+    for (const Json& finding : list_in(record, "findings"))
+      out += fmt::format("<pre class=\"finding\">{}</pre>\n", text_of(finding, "text"));
+  return out;
+}
+
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
   const char *label = "INCOMPLETE", *meaning =
@@ -44,9 +53,9 @@ std::string verdict_section(const Merged& merged) {
         "own verdict below.";
   const auto all = standings(merged);
   std::string out = fmt::format(
-      "<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<details class=\"campaign\">"
+      "<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n{}<details class=\"campaign\">"
       "<summary>Campaign and standings in figures</summary>\n<dl class=\"summary\">\n",
-      verdict_word, label, meaning);
+      verdict_word, label, meaning, findings(merged));
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   };

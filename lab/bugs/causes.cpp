@@ -1,109 +1,17 @@
 #include <bugs/causes.hpp>
 
-#include <fmt/format.h>
-#include <Eigen/Geometry>
 #include <bit>
+#include <bugs/cause_forms.hpp>
 #include <bugs/known_bugs.hpp>
 #include <campaign/robots.hpp>
 #include <cmath>
 #include <failures/findings.hpp>
-#include <functional>
 #include <numbers>
 #include <regex>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {
-
-using V3 = Vec<double, 3>;
-using V4 = Vec<double, 4>;
-using M3 = Mat<double, 3>;
-
-/// A class of causes: what a guess says that names it, and what one says that names its kind.
-struct Cause {
-  const char *name, *right, *near;
-};
-constexpr Cause cutoff{"series lacks a term", "series below it lacks a term|formulas grow",
-                       "cutoff|threshold"},
-    coefficient{"wrong coefficient of a series", "has a wrong one", "cutoff|threshold"},
-    cancels{"closed form cancels", "closed form cancels|formula cancels", "cutoff|cancel"},
-    acos_one{"acos near 1", "acos near 1|acos of a number", "acos|cancels"},
-    sin_pi{"sin near pi", "sin near pi|1 \\+ cos", "near pi"},
-    trace{"1 + trace", "sin near pi|1 \\+ cos|trace", "near pi"},
-    sign_of_w{"w < 0 only", "w < 0|sign of w", "w"},
-    zero{"0 where it is not", "result is 0|result is that of theta = 0", "threshold|cutoff"},
-    single{"float inside double", "too few digits", "constant"},
-    transposed{"transposed, or the inverse",
-               "transposed|inverse|passive|column|opposite sign|order of frames|sign, or|"
-               "conjugate|A in B|reversed|left|other side|change its sign",
-               "wrong term"},
-    swapped{"swapped or wrong component", "wrong term, factor or sign", "convention"},
-    overflow{"theta^2 underflows or overflows", "underflows|overflows|0/0", "NaN"},
-    nothing{"no nameable cause", "^$", "a wrong term"};
-
-struct Form {
-  std::string name;
-  Cause cause;
-  double threshold;
-  std::function<void(Operations&)> plant;
-};
-
-const Operations& right() {
-  static const Operations all = [] {
-    for (const Subject* s : subjects(oracles::scalar_of<double>))
-      if (s->name == "liecheck") return s->operations;
-    return Operations();
-  }();
-  return all;
-}
-M3 hat(const V3& v) {
-  M3 K;
-  K << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return K;
-}
-V3 vee(const M3& M) {
-  return {M(2, 1), M(0, 2), M(1, 0)};
-}
-V4 quaternion(const V3& v, double w) {
-  return {v[0], v[1], v[2], w};
-}
-V3 vector(const V4& Q) {
-  return Q.head<3>();
-}
-
-class Forms {
- public:
-  std::vector<Form> all;
-
-  /// A function that replaces that of liecheck where `where(arguments)`.
-  template <class O, class Where, class F>
-  void add(const std::string& name, const Cause& cause, double threshold, const O& operation, Where where,
-           F faulty) {
-    all.push_back(
-        {fmt::format("{}_{}{}", name, operation.name, threshold > 0 ? fmt::format("_{:.0e}", threshold) : ""),
-         cause, threshold, [&operation, where, faulty](Operations& o) {
-           o[operation] = [&operation, where, faulty](const auto&... x) {
-             auto result = right()[operation](x...);
-             if (where(x...)) result = faulty(result, x...);
-             return result;
-           };
-         }});
-  }
-};
-
-double theta_of(const V3& phi) {
-  return phi.norm();
-}
-double theta_of(const V4& Q) {
-  return 2 * std::atan2(Q.head<3>().norm(), std::fabs(Q[3]));
-}
-double theta_of(const M3& R) {
-  return std::atan2(vee(R - R.transpose()).norm(), R.trace() - 1);
-}
-const auto always = [](const auto&...) { return true; };
-auto below(double x) {
-  return [x](const auto& argument) { return theta_of(argument) < x; };
-}
 
 void add_series(Forms& f) {
   for (const double x : {0.3, 0.1, 0.03, 0.01, 2e-3, 5e-4, 1e-4}) {
@@ -287,7 +195,7 @@ void add_conventions(Forms& f) {
 
 std::vector<Form> forms() {
   Forms f;
-  add_series(f), add_cancelling(f), add_branches(f), add_conventions(f);
+  add_series(f), add_cancelling(f), add_branches(f), add_conventions(f), add_styles(f);
   add_general(f, op::exp3_quaternion), add_general(f, op::exp3_matrix), add_general(f, op::log3_quaternion);
   add_general(f, op::log3_matrix), add_general(f, op::left_jacobian3), add_general(f, op::compose);
   add_general(f, op::rotate_point), add_general(f, op::quaternion_matrix), add_general(f, op::exp6);
@@ -331,6 +239,7 @@ std::vector<CauseRow> bench_of_causes(std::uint64_t seed) {
     register_subject(s);
     CampaignOptions options;
     options.selection = {{s.name}, {}, {"double"}};
+    options.selection.profiles = {{"", Profile::careful}};  // as an adapter's
     options.cases = 1000, options.jobs = 1, options.quiet = true, options.seed = seed;
     const CampaignResult r = run_campaign(options, built_in_robot());
     std::vector<FailedBlock> failed = failed_blocks(r);

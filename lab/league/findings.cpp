@@ -1,6 +1,7 @@
 #include <league/findings.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -283,6 +284,13 @@ std::string finding(const json& record, const json& library, const json& cell, c
   std::string all = fmt::format("# {} {}: {}, {}\n\n", markdown(library["name"]),
                                 markdown(library["version"]), markdown(operation), markdown(shown_error(f)));
   all += "This fails " + where_it_fails(cell) + ".";
+  std::set<std::string> others;
+  for (const json& c : library["cells"])
+    if (c["failure"].is_object() && c["failure"].value("because", "") == operation)
+      others.insert(c["operation"]);
+  if (!others.empty())
+    all += fmt::format(" So {} wrong, too: {}.", others.size() == 1 ? "another function is" : "others are",
+                       markdown(fmt::format("{}", fmt::join(others, ", "))));
   if (const json* const other = cell_in(library, operation, "float");
       other && other != &cell && (*other)["failure"].is_object())
     all += " It also fails " + where_it_fails(*other) + ".";
@@ -333,9 +341,13 @@ Confirmed write_findings(const json& record, const Trust& trust, const std::stri
           scalar == "float" && other && (*other)["failure"].is_object())
         continue;  // the same function: the finding in double names it
       const std::string text = cell["failure"]["text"], program = program_in(text);
-      const auto left_out = [&](const char* why) {
+      const auto left_out = [&](const std::string& why) {
         all.text += fmt::format("no finding: {}: {}\n", name, why);
       };
+      if (cell["failure"].contains("because")) {
+        left_out(fmt::format("it is wrong since {} is", cell["failure"]["because"].get<std::string>()));
+        continue;
+      }
       if (program.empty()) {
         left_out("the adapter has no program for it");
         continue;

@@ -101,7 +101,8 @@ class RecordCheck {
       texts(band, name, {"axis", "band"}), numbers(band, name, {"low", "high"}), counts(band, name, {"bad"}),
           member(band, name, "eps");
     if (const json& failure = c["failure"]; failure.is_object())
-      texts(failure, name, {"what", "where", "guess", "text"}), counts(failure, name, {"failed", "cases"});
+      texts(failure, name, {"what", "where", "guess", "text"}), counts(failure, name, {"failed", "cases"}),
+          failure.contains("because") ? texts(failure, name, {"because"}) : void();
   }
   using Names = std::initializer_list<const char*>;
   void texts(const json& of, const std::string& where, Names names) const {
@@ -140,7 +141,8 @@ std::string built_in_roster() {
 std::vector<Entry> read_roster(const std::string& file) {
   std::vector<Entry> all;
   const json list = read_json(file);
-  if (!list.is_array()) throw std::invalid_argument(file + ": is no list of adapters: it must begin with '['");
+  if (!list.is_array())
+    throw std::invalid_argument(file + ": is no list of adapters: it must begin with '['");
   members_of(file, "list of adapters", [&] {
     for (const json& e : list) {
       if (std::ranges::find(all, e.at("name").get<std::string>(), &Entry::name) != all.end())
@@ -155,7 +157,8 @@ std::vector<Entry> read_roster(const std::string& file) {
 
 json read_league(const std::string& file) {
   json record = read_json(file);
-  if (!record.is_object() || !record.contains("league") || record["league"] != 1 || !record.contains("libraries"))
+  if (!record.is_object() || !record.contains("league") || record["league"] != 1 ||
+      !record.contains("libraries"))
     throw std::invalid_argument(
         fmt::format("{}: is no record of the league, which `liecheck lab league --record` writes", file));
   RecordCheck(file).record(record);

@@ -28,8 +28,9 @@
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
 
+// Unlike #error, a header that is missing ends the compilation with this one line.
 #if __cplusplus < 202002L
-#error "liecheck_adapter.hpp needs C++20: compile with -std=c++20"
+#include <liecheck_adapter.hpp needs C++20: compile with -std=c++20>
 #endif
 
 #include <liecheck_adapter.h>

@@ -1,11 +1,13 @@
 #include <adapters/noise.hpp>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <mutex>
 #include <sstream>
 #include <support/text.hpp>
+#include <vector>
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -47,8 +49,11 @@ void say_not_repeatable(const std::string& subject, std::string_view operation, 
 void pass_on(const std::string& errors) {
   const std::lock_guard lock(mutex);
   std::istringstream text(errors);
-  for (std::string line; std::getline(text, line);)
-    if (++lines <= most_lines) say(line);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(text, line);) all.push_back(line);
+  const int left = std::max(0, most_lines - lines), own = static_cast<int>(all.size());
+  for (int i = std::max(0, own - left); i < own; ++i) say(all[static_cast<std::size_t>(i)]);
+  lines += own;
 }
 
 void say_counts() {

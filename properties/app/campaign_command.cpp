@@ -261,14 +261,12 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
 }
 
 /// Prints the verdict, the findings, how the adapters' conventions and choices differ, and what was measured; if verbose, the details too. Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const CampaignFlags& f,
-                   const Differences& differ) {
-  std::vector<FailedBlock> failed = failed_blocks(r);
-  const std::vector<Finding> findings = findings_of(r, failed, hard_cases);
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const ToldFindings& told,
+                   const CampaignFlags& f, const Differences& differ) {
   std::set<std::string> subjects;
   for (const auto& [series, tally] : r.series)
     subjects.insert(series->subject + (series->subject_version.empty() ? "" : " " + series->subject_version));
-  const std::size_t many = findings.size();
+  const std::size_t many = told.findings.size();
   print_verdict(r, hard_cases,
                 fmt::format("{}{}",
                             subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
@@ -276,8 +274,8 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
                             many == 0   ? ""
                             : many == 1 ? ": 1 finding"
                                         : fmt::format(": {} findings, the worst first", many)));
-  print_findings(findings, r, f.all);
-  if (!f.verbose) print_cliffs(r, failed, f.all), print_not_measured(r, f.all);
+  print(told);
+  if (!f.verbose) print_cliffs(r, told.failed, f.all), print_not_measured(r, f.all);
   for (const std::string& name : without_trees(f))
     fmt::print(
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
@@ -329,14 +327,15 @@ int run(const CampaignFlags& f) {
   if (!done) return within_budget;
   if (!without_trees(f).empty() || !differ.conventions.empty()) done->result.measured = false;
   int code = incomplete;
+  const ToldFindings told = told_findings(done->result, hard_cases, f.all);
   do_both(
       [&] {
-        write_campaign_record(f.selection.json, *done, hard_cases);
+        write_campaign_record(f.selection.json, *done, hard_cases, told);
         if (!f.badge.empty()) write_whole(f.badge, badge_of(verdicts_by_subject(done->result, hard_cases)));
       },
       [&] {
         print_counterexamples(done->counterexamples, f.all);
-        code = print_campaign(done->result, hard_cases, f, differ);
+        code = print_campaign(done->result, hard_cases, told, f, differ);
         print_how_to_resume(done->result, f.store);
       });
   return code;

@@ -42,8 +42,14 @@ void print_counterexamples(const Counterexamples& counterexamples, bool all);
 /// Prints a line for each operation and block that failed, worst first, and the worst one in full; if `all`, each.
 void print_failures(const CampaignResult& result, bool all);
 
-/// Prints the findings, ten of them at most unless `all`.
-void print_findings(const std::vector<Finding>& findings, const CampaignResult& result, bool all);
+/// The findings of a campaign, and the lines of the first ten, or of all.
+struct ToldFindings {
+  std::vector<FailedBlock> failed;  ///< to which the findings point
+  std::vector<Finding> findings;
+  std::vector<std::string> texts;
+};
+ToldFindings told_findings(const CampaignResult& result, const std::vector<HardRow>& hard_cases, bool all);
+void print(const ToldFindings& findings);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
@@ -53,6 +59,6 @@ nlohmann::json full_record_of(const StoredRun& run);
 
 /// Writes the record of a campaign with its hard cases, unless `file` is empty.
 void write_campaign_record(const std::string& file, const StoredRun& run,
-                           const std::vector<HardRow>& hard_cases);
+                           const std::vector<HardRow>& hard_cases, const ToldFindings& findings = {});
 
 }  // namespace liecheck::properties

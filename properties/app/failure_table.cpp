@@ -55,10 +55,18 @@ void print_in_full(const CampaignResult& r, const FailedBlock& f) {
 
 }  // namespace
 
-void print_findings(const std::vector<Finding>& findings, const CampaignResult& r, bool all) {
-  const std::size_t lines = all ? findings.size() : std::min(findings.size(), most_findings);
-  for (std::size_t i = 0; i < lines; ++i) say("\n{}", text_of(findings[i], i + 1, r));
-  if (lines < findings.size()) say("\n{} more findings: --all prints them\n", findings.size() - lines);
+ToldFindings told_findings(const CampaignResult& r, const std::vector<HardRow>& hard_cases, bool all) {
+  ToldFindings told{failed_blocks(r), {}, {}};
+  told.findings = findings_of(r, told.failed, hard_cases);
+  for (const Finding& f : told.findings)
+    if (all || told.texts.size() < most_findings) told.texts.push_back(text_of(f, told.texts.size() + 1, r));
+  return told;
+}
+
+void print(const ToldFindings& told) {
+  for (const std::string& text : told.texts) say("\n{}", text);
+  if (const std::size_t more = told.findings.size() - told.texts.size())
+    say("\n{} more findings: --all prints them\n", more);
 }
 
 void print_failures(const CampaignResult& r, bool all) {

@@ -8,10 +8,10 @@ namespace liecheck::properties {
 
 namespace {
 
-/// In the order of Quantity. The joints' quantities have no unit of their own.
-constexpr std::array<std::string_view, 11> units = {"rad", "m",      "m/s", "rad/s", "N", "N m",
-                                                    "kg",  "kg m^2", "",    "",      ""};
-static_assert(units.size() == static_cast<std::size_t>(Quantity::joint_acceleration) + 1);
+/// In the order of Quantity. The joints' quantities have no unit of their own, and a norm has none.
+constexpr std::array<std::string_view, 12> units = {"rad", "m",      "m/s", "rad/s", "N", "N m",
+                                                    "kg",  "kg m^2", "",    "",      "",  ""};
+static_assert(units.size() == static_cast<std::size_t>(Quantity::quaternion_norm) + 1);
 
 template <class F>
 bool any_part(const Few<const Layout*, 6>& arguments, F f) {
@@ -70,6 +70,8 @@ bool is(Quantity q, const Operation& o, const Field& f) {
       return f.unit == "m, rad, s" && stem == "v";
     case Quantity::joint_acceleration:
       return f.unit == "m, rad, s" && stem == "a";
+    case Quantity::quaternion_norm:
+      return f.kind == Kind::any_quaternion;
     default:
       return f.unit == units[static_cast<std::size_t>(q)];
   }
@@ -116,11 +118,13 @@ double angle_of_matrix(const double* R) {
 const std::vector<std::string>& quantity_names() {
   static const std::vector<std::string> names = {
       "angle",   "translation",    "linear velocity", "angular velocity",  "force", "moment", "mass",
-      "inertia", "joint position", "joint velocity",  "joint acceleration"};
+      "inertia", "joint position", "joint velocity",  "joint acceleration", "quaternion norm"};
   return names;
 }
 
 bool takes(const Operation& o, Quantity q) {
+  if (q == Quantity::quaternion_norm)
+    return o.name.ends_with("_any_norm") || o.name.ends_with("normalize") || o.name == "quaternion_matrix";
   if (of_joints(o)) return q != Quantity::linear_velocity && q != Quantity::angular_velocity;
   if (q == Quantity::angle && (returns_angle(o) || compares(o))) return true;
   const std::string_view unit = units[static_cast<std::size_t>(q)];

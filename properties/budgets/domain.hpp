@@ -21,7 +21,8 @@ enum class Quantity {
   inertia,
   joint_position,
   joint_velocity,
-  joint_acceleration
+  joint_acceleration,
+  quaternion_norm  ///< of operations that take a quaternion of any norm
 };
 /// In the order of Quantity: "angle", "linear velocity", ...
 const std::vector<std::string>& quantity_names();

@@ -45,9 +45,11 @@ class Judge final : public Recorder {
   void record(const Output& output, std::size_t band, double error, Kappa kappa) override {
     Judged j = start(output, band);
     j.residual.error = error;
-    // Under the excess rule an error too large for a double is no failure if kappa makes the case ill-posed.
+    // The result is finite: an error too large for a double is one of 0, or of a number that is nearly 0. Under the excess
+    // rule it is no failure if kappa makes the case ill-posed.
     const bool overflowed = error == std::numeric_limits<double>::infinity();
-    if (!(error >= 0) || (overflowed && (j.budget->rule == Rule::forward || !kappa))) {
+    if (overflowed) j.residual.error = error = std::numeric_limits<double>::max();
+    if (!(error >= 0)) {
       j.residual.outcome = Outcome::not_finite;
       j.failed = true;
     } else if (j.budget->rule == Rule::forward) {
@@ -66,7 +68,6 @@ class Judge final : public Recorder {
       decided(k * eps_, 1, accuracy);
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
-      if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
       // If kappa is below the law's lower bound, verdicts that relied on this bound may be wrong.
       if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
         j.residual.outcome = Outcome::unresolved;
@@ -86,16 +87,17 @@ class Judge final : public Recorder {
     return budget(index(output), band)->limit;
   }
   bool ordinary(const Output& output) const override { return limits_[index(output)].ordinary; }
-  /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured.
-  void close(std::uint32_t outputs) {
+  /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured, or what `as` says.
+  void close(std::uint32_t outputs, Outcome as = Outcome::unmeasured) {
     for (std::size_t i = 0; i < limits_.size(); ++i)
       if ((outputs & ~recorded_) >> i & 1) {
         Judged j;
         j.residual.output = static_cast<std::uint16_t>(i);
-        j.residual.outcome = Outcome::unmeasured;
+        j.residual.outcome = as;
         j.budget = limits_[i].budgets[0];
         judged.push_back(j);
       }
+    recorded_ |= outputs;
   }
   /// Forgets the case.
   void clear() {

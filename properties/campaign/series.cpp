@@ -295,6 +295,18 @@ bool powers_leave_the_range(const Scalar& scalar, const std::vector<Field>& fiel
   return false;
 }
 
+/// Whether the norm of a quaternion is far from 1, so that a library may refuse it: no product of unit quaternions, and no
+/// sum of a few, comes there.
+bool norm_is_far_from_one(const std::vector<Field>& fields, const std::vector<double>& x) {
+  auto next = x.begin();
+  for (const Field& field : fields) {
+    double largest = 0;
+    for (int i = 0; i < field.size; ++i) largest = std::max(largest, std::fabs(*next++));
+    if (field.kind == Kind::any_quaternion && !(largest > 1e-4 && largest < 1e4)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 auto Series::scope_of(const std::vector<double>& x) const -> Scope {
@@ -328,18 +340,22 @@ void Series::close(const std::vector<double>& x, const Scope& scope, Judge& judg
     std::erase_if(judge.judged, [&](const Judged& j) {  // a refusal concerns the whole law
       return scope.outside[j.residual.output] && j.residual.outcome != Outcome::refused;
     });
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      if (!scope.outside[i]) continue;
-      const double angle = of_joints_ ? -1 : domain_.angle(x, i);
-      const std::size_t band = angle < 0 ? 0 : bands().classify(oracles::Real(angle));
-      judge.outcome(outputs[i], band, Outcome::outside_domain);
-    }
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      if (scope.outside[i]) judge.outcome(outputs[i], band_of_input(x, i), Outcome::outside_domain);
   }
   judge.close(due);
 }
 
-void Series::record_thrown(const std::exception& thrown, Judge& judge) const {
+std::size_t Series::band_of_input(const std::vector<double>& x, std::size_t output) const {
+  const double angle = of_joints_ ? -1 : domain_.angle(x, output);
+  return angle < 0 ? 0 : bands().classify(oracles::Real(angle));
+}
+
+void Series::record_thrown(const std::exception& thrown, const std::vector<double>& x, Judge& judge) const {
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
+  if (profile != Profile::ours && (!failed || failed->outcome == Outcome::refused) &&
+      norm_is_far_from_one(fields, x))
+    return judge.close(due, Outcome::outside_domain);
   if (failed && failed->outcome == Outcome::outside_domain) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
       if (due >> i & 1) judge.outcome(outputs[i], 0, failed->outcome);
@@ -348,7 +364,8 @@ void Series::record_thrown(const std::exception& thrown, Judge& judge) const {
   auto of = outputs.end();
   if (failed) of = std::ranges::find(outputs, failed->operation, &Output::operation);
   if (of == outputs.end()) of = outputs.begin() + (due ? std::countr_zero(due) : 0);
-  judge.outcome(*of, 0, failed ? failed->outcome : Outcome::refused);
+  judge.outcome(*of, band_of_input(x, static_cast<std::size_t>(of - outputs.begin())),
+                failed ? failed->outcome : Outcome::refused);
 }
 
 std::vector<Judged> Series::measure(const std::vector<double>& x, const Limits& limits) const {
@@ -384,7 +401,7 @@ bool Series::measure_by_balls(const std::vector<double>& x, Judge& judge) const 
     } catch (const oracles::Undecided&) {
       judge.clear();
     } catch (const std::exception& e) {
-      record_thrown(e, judge);
+      record_thrown(e, x, judge);
       break;
     }
   if (decided) close(x, scope, judge);
@@ -400,7 +417,7 @@ std::vector<Judged> Series::measure_by_digits(const std::vector<double>& x, cons
     if (!scope.nothing_left) law_->measure(*scope.subject, x, judge);
   } catch (const std::exception& e) {
     if (refusal) *refusal = e.what();
-    record_thrown(e, judge);
+    record_thrown(e, x, judge);
   }
   close(x, scope, judge);
   return std::move(judge.judged);

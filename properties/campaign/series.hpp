@@ -126,8 +126,10 @@ class Series {
   /// Ends a case: records what is outside the domain, in place of anything that was measured of it, and what
   /// was not measured.
   void close(const std::vector<double>& x, const Scope& scope, Judge& judge) const;
+  /// The band of the angle by which the output is judged, as far as the input alone tells it; else 0.
+  std::size_t band_of_input(const std::vector<double>& x, std::size_t output) const;
   /// Ends a case in which a call threw.
-  void record_thrown(const std::exception& thrown, Judge& judge) const;
+  void record_thrown(const std::exception& thrown, const std::vector<double>& x, Judge& judge) const;
   /// Measures again, with checks of the calls, and marks in `judged` what differs or what was called in vain.
   void confirm(const std::vector<double>& x, std::vector<Judged>& judged) const;
   const Source::Key& key_of(std::uint64_t seed) const;

@@ -25,14 +25,14 @@ Mask one(std::size_t convention) {
   return Mask(1) << convention;
 }
 
-/// The first part that is wrong by more than a thousandth of its size, or null. Q and -Q are the same rotation, and angles
-/// that differ by 2 pi the same angle.
+/// The first part that is wrong by more than a thousandth of its size, and by more than a millionth, or null. Q and -Q are
+/// the same rotation, and angles that differ by 2 pi the same angle.
 const Part* wrong_part(const Layout& layout, std::span<const double> got, std::span<const double> right) {
   std::size_t at = 0;
   const Kind kind = kind_of(layout);
   const bool turns = kind == Kind::angle || kind == Kind::euler_angles;
   for (const Part& part : layout.parts) {
-    double size = 0, apart = 0, apart_of_minus = 0;
+    double size = probe_tolerance, apart = 0, apart_of_minus = 0;  // the arguments are of order 1
     for (const std::size_t end = at + static_cast<std::size_t>(part.size); at < end; ++at) {
       if (!std::isfinite(got[at])) return &part;
       size = std::max(size, std::fabs(right[at]));
@@ -69,11 +69,23 @@ void decode(const Operation& o, const Convention& c, Numbers& arguments, Numbers
   if (c.side != Side::arguments) c.decode(kind_of(result_of(o)), result);
 }
 
+/// Whether two triples of Euler angles of one order, the first argument, are the same rotation.
+bool same_rotation(const Operation& o, const Numbers& arguments, const Numbers& a, const Numbers& b) {
+  if (kind_of(result_of(o)) != Kind::euler_angles) return false;
+  const Operation& to = operation_named("euler_to_quaternion");
+  const auto quaternion = [&](const Numbers& angles) {
+    return reference(to, {arguments[0], angles[0], angles[1], angles[2]});
+  };
+  return std::ranges::all_of(a, [](double x) { return std::isfinite(x); }) &&
+         !wrong_part(result_of(to), quaternion(a), quaternion(b));
+}
+
 bool explains_answer(const Operation& o, const Answer& answer, Mask set) try {
   Numbers arguments = answer.arguments, result = answer.result;
   for (std::size_t c = 0; c < conventions().size(); ++c)
     if (set & one(c)) decode(o, conventions()[c], arguments, result);
-  return !wrong_part(result_of(o), result, meant(o, arguments, set));
+  const Numbers right = meant(o, arguments, set);
+  return !wrong_part(result_of(o), result, right) || same_rotation(o, arguments, result, right);
 } catch (const oracles::Undecided&) {
   return false;
 }

@@ -38,11 +38,11 @@ bool is_moderate(const Band& b) {
   return (b.axis == Axis::theta && b.high == 1) || (b.axis == Axis::none && b.region == Region::to_pi);
 }
 
-/// Larger is worse: the kind of outcome, then the error.
+/// Larger is worse: the kind of outcome, then the error, or the share of the cases with an outcome.
 std::pair<int, double> badness(const BandOf& b) {
   const Row& r = *b.row;
   const int kind = r.crashed ? 5 : r.not_finite ? 4 : r.wrong_branch ? 3 : outcomes(r).empty() ? 0 : 2;
-  return {kind, score_of(b)};
+  return {kind, kind > 0 ? static_cast<double>(r.failed) / static_cast<double>(r.inside()) : score_of(b)};
 }
 
 /// Whether a failure has the outcome of a worse one and, if that is an error, loses as many digits but one.
@@ -121,15 +121,24 @@ void find_worst(FailedBlock& f) {
   f.worst = nullptr, f.score = 0, f.failed = f.cases = 0;
   for (const BandOf& b : f.bands) {
     if (!b.fails) continue;
-    if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
+    // Band 0 has what is known to have failed in a case, such as a result of another case that changed.
+    const auto place = [](const BandOf& of) {
+      return std::tuple(badness(of).first, of.band > 0, badness(of).second);
+    };
+    if (!f.worst || place(b) > place(*f.worst)) f.worst = &b;
     f.score = std::max(f.score, score_of(b));
     f.failed += b.row->failed, f.cases += b.row->inside();
   }
   if (!f.worst) return;
-  const BandOf& worst = *f.worst;  // and the plainest of those that are as bad is its example
+  // The plainest of those that are as bad is its example, unless few cases fail there, as where the result of another case
+  // was found to change.
+  const BandOf& worst = *f.worst;
   const auto plain = [](const BandOf& b) { return plainness(b.series->bands()[b.band]); };
+  const auto share = [](const BandOf& b) { return double(b.row->failed) / double(b.row->inside()); };
   for (const BandOf& b : f.bands)
-    if (b.fails && is_as_bad(b, worst) && plain(b) > plain(*f.worst)) f.worst = &b;
+    if (b.fails && (b.band > 0) == (worst.band > 0) && is_as_bad(b, worst) && 4 * share(b) > share(worst) &&
+        plain(b) > plain(*f.worst))
+      f.worst = &b;
 }
 
 std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {

@@ -90,10 +90,11 @@ Mat3 coupling_of(const Numbers& J6) {
   return mat6(J6).topRightCorner<3, 3>();
 }
 
-/// A call of an operation with the arguments x, and a part of the operation as the subject computes it.
+/// A call of an operation with the arguments x, and a part of the operation, or any other one, as the subject computes it.
 struct Case {
   const Numbers &x, &got;
   std::function<Numbers(const Numbers&)> part;
+  std::function<Numbers(const char* operation, const Numbers&)> own;
 };
 /// How the result of an operation follows from one of its parts.
 struct Relation {
@@ -128,6 +129,26 @@ Numbers exp_of(const Mat3& R, const Numbers& x) {
 /// q0 and then a pose (R, p) or a rotation Q and a translation p.
 Numbers moved(const Numbers& x, const Quat& Q, const Vec3& p) {
   return joined({numbers(Vec3(vec3(x, 0) + quat(x, 3) * p)), numbers(quat(x, 3) * Q)});
+}
+
+/// The pose in the plane from the body at q0 to the body at q1.
+Numbers relative_planar_pose(const Numbers& x) {
+  const double c = x[2], s = x[3];
+  return exact("se2_compose", joined({{-c * x[0] - s * x[1], s * x[0] - c * x[1], c, -s}, cut(x, 4, 4)}));
+}
+
+double apart(const Numbers& a, const Numbers& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - b[i]));
+  return most;
+}
+/// The derivative of a difference by a Jacobian at the exact difference; if that is wrong, too, at the subject's own
+/// difference, whose errors may be those of the same Jacobian.
+template <class Jacobian>
+Numbers by_difference(const Case& c, const char* operation, const Jacobian& jacobian) {
+  const Numbers right = exact(operation, c.x), by_exact = jacobian(exact("difference", c.x)),
+                by_own = jacobian(c.own("difference", c.x));
+  return apart(by_exact, right) > apart(by_own, right) / 30 ? by_own : by_exact;
 }
 
 const Relation relations[] = {
@@ -194,15 +215,32 @@ const Relation relations[] = {
        const Numbers X = c.part(minus(cut(c.x, 7, 6)));
        return numbers<6>(adjoint(mat3(X), vec3(X, 9)));
      }},
+    {"d_integrate_arg0", "exp6",
+     [](const Case& c) -> Numbers {
+       const Numbers X = c.part(cut(c.x, 7, 6));
+       const Mat3 R = mat3(X).transpose();
+       return numbers<6>(adjoint(R, Vec3(-R * vec3(X, 9))));
+     }},
     {"d_integrate_arg1", "right_jacobian6", [](const Case& c) -> Numbers { return c.part(cut(c.x, 7, 6)); }},
     {"d_difference_arg0", "left_jacobian6_inverse",
-     [](const Case& c) -> Numbers { return minus(c.part(exact("difference", c.x))); }},
+     [](const Case& c) -> Numbers {
+       return by_difference(c, "d_difference_arg0",
+                            [&](const Numbers& delta) { return minus(c.part(delta)); });
+     }},
     {"d_difference_arg0", "right_jacobian6_inverse",
-     [](const Case& c) -> Numbers { return minus(c.part(minus(exact("difference", c.x)))); }},
+     [](const Case& c) -> Numbers {
+       return by_difference(c, "d_difference_arg0",
+                            [&](const Numbers& delta) { return minus(c.part(minus(delta))); });
+     }},
     {"d_difference_arg0", "difference",
      [](const Case& c) -> Numbers { return minus(exact("left_jacobian6_inverse", c.part(c.x))); }},
     {"d_difference_arg1", "right_jacobian6_inverse",
-     [](const Case& c) -> Numbers { return c.part(exact("difference", c.x)); }},
+     [](const Case& c) -> Numbers { return by_difference(c, "d_difference_arg1", c.part); }},
+    {"d_difference_arg1", "left_jacobian6_inverse",
+     [](const Case& c) -> Numbers {
+       return by_difference(c, "d_difference_arg1",
+                            [&](const Numbers& delta) { return c.part(minus(delta)); });
+     }},
     {"d_difference_arg1", "difference",
      [](const Case& c) -> Numbers { return exact("right_jacobian6_inverse", c.part(c.x)); }},
     {"right_jacobian3", "left_jacobian3", [](const Case& c) -> Numbers { return c.part(minus(c.x)); }},
@@ -240,6 +278,11 @@ const Relation relations[] = {
     {"integrate_any_norm", "integrate", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"difference_any_norm", "difference", [](const Case& c) -> Numbers { return c.part(c.x); }},
     {"d_difference_any_norm", "d_difference_arg1", [](const Case& c) -> Numbers { return c.part(c.x); }},
+    {"se2_integrate", "se2_exp",
+     [](const Case& c) -> Numbers {
+       return exact("se2_compose", joined({cut(c.x, 0, 4), c.part(cut(c.x, 4, 3))}));
+     }},
+    {"se2_difference", "se2_log", [](const Case& c) -> Numbers { return c.part(relative_planar_pose(c.x)); }},
     {"euler_to_matrix", "euler_to_quaternion",
      [](const Case& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
     {"euler_from_quaternion", "euler_from_matrix",
@@ -280,6 +323,23 @@ struct Judging {
   bool finite(const Numbers& x) const {
     return std::ranges::all_of(of, [&](std::size_t i) { return std::isfinite(x[i]); });
   }
+  /// Whether the predictions are wrong as `got` is: the first one in the same direction, or, where rounding decides how wrong
+  /// each is, some of them as much.
+  template <class Predicted>
+  bool explains(const Numbers& got, const Numbers& right, const Predicted& predicted) const {
+    const Numbers first = predicted(0);
+    if (first.size() != right.size()) return false;
+    if (same_error(got, right, first)) return true;
+    if (!finite(got) || !finite(first)) return false;
+    const double error = distance(got, right);
+    double most = distance(first, right), apart = 0;
+    for (const int k : {-2, -1, 1, 2}) {
+      const Numbers other = predicted(k);
+      if (!finite(other)) return false;
+      most = std::max(most, distance(other, right)), apart = std::max(apart, distance(other, first));
+    }
+    return apart > 0.3 * most && error < 3 * most && error > most / 30;
+  }
   /// Whether `predicted` is as wrong as `got`, in the same direction: nearer to it than a third of its error. What two
   /// calculations with the same wrong part differ by is their own rounding, far below an error that fails.
   bool same_error(const Numbers& got, const Numbers& right, const Numbers& predicted) const {
@@ -312,16 +372,20 @@ std::vector<std::string_view> explained_by(const Series& series, const Output& o
   for (const Relation& r : relations) {
     if (call.operation->name != r.of) continue;
     const Operation& part = conventions::operation_named(r.part);
-    const auto own = [&](Numbers x) {
-      for (double& number : x) number = series.format().rounded(number);
-      Numbers result = result_of(series, part, x);
-      if (result.empty()) throw std::domain_error("refused");
-      return result;
+    /// The result as it follows from the part at its arguments times 1 + k eps.
+    const auto predicted = [&](int k) {
+      const auto own = [&](const Operation& operation, Numbers x) {
+        for (double& number : x) number = series.format().rounded(number * (1 + k * series.format().epsilon));
+        Numbers result = result_of(series, operation, x);
+        if (result.empty()) throw std::domain_error("refused");
+        return result;
+      };
+      return r.result(
+          {call.arguments, call.result, [&](const Numbers& x) { return own(part, x); },
+           [&](const char* name, const Numbers& x) { return own(conventions::operation_named(name), x); }});
     };
     try {
-      const Numbers predicted = r.result({call.arguments, call.result, own});
-      if (predicted.size() == right.size() && judging.same_error(call.result, right, predicted))
-        parts.push_back(part.name);
+      if (judging.explains(call.result, right, predicted)) parts.push_back(part.name);
     } catch (const std::exception&) {  // refused, or outside what the oracle knows
     }
   }

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <campaign/robots.hpp>
+#include <cmath>
 #include <failures/calls.hpp>
 #include <failures/drawn_tree.hpp>
 #include <failures/findings.hpp>
@@ -19,13 +20,22 @@ void add_once(std::vector<std::string>& to, const std::string& text) {
   if (std::ranges::find(to, text) == to.end()) to.push_back(text);
 }
 
-/// The failing bands of a block, those of ordinary angles first, and of these the one in which most cases fail.
+/// The failing bands of a block: those of ordinary angles first, of these the ones that lose half of the digits that the
+/// worst band loses, and of these the one in which most cases fail.
 std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
   std::vector<std::pair<double, BandOfFailure>> all;
+  const auto loss = [&](const BandOf& b) {  // 1 is all digits
+    const double eps = f.worst->series->eps;
+    return std::log(std::clamp(b.row->worst_score, 1.0, 1 / eps)) / -std::log(eps);
+  };
+  double most = 0;
+  for (const BandOf& b : f.bands)
+    if (b.fails) most = std::max(most, loss(b));
   for (const BandOf& b : f.bands) {
     if (!b.fails || b.series != f.worst->series || b.output != f.worst->output) continue;
     const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
-    all.push_back({share + (is_ordinary(b.series->bands()[b.band]) ? 1 : 0), {b.band, b.row->worst_score}});
+    const int order = (is_ordinary(b.series->bands()[b.band]) ? 4 : 0) + (2 * loss(b) >= most ? 2 : 0);
+    all.push_back({share + order, {b.band, b.row->worst_score}});
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.first; });
   std::vector<BandOfFailure> bands;

@@ -37,11 +37,19 @@ double ordinary_loss(const FailedBlock& f) {
   return cases > 0 ? failed / cases * digits : 0;
 }
 
-/// Up to three failing bands, from the first to the last, whose worst case has a result.
+/// Whether a band of ordinary angles fails.
+bool fails_ordinarily(const BandOf& b) {
+  return b.fails && is_ordinary(b.series->bands()[b.band]);
+}
+
+/// Up to three failing bands, from the first to the last, whose worst case has a result: those of ordinary angles if there
+/// are any.
 std::vector<const BandOf*> examples_of(const FailedBlock& f) {
   std::vector<const BandOf*> all;
+  const bool ordinary = std::ranges::any_of(f.bands, fails_ordinarily);
   for (const BandOf& b : f.bands)
-    if (b.fails && b.row->crashed == 0 && b.row->refused == 0) all.push_back(&b);
+    if ((ordinary ? fails_ordinarily(b) : b.fails) && b.row->crashed == 0 && b.row->refused == 0)
+      all.push_back(&b);
   if (all.size() <= 3) return all;
   return {all.front(), all[all.size() / 2], all.back()};
 }
@@ -54,7 +62,7 @@ std::optional<std::vector<std::string_view>> causes_in(const BandOf& b, std::uin
   const NotedCall* call = worst_call(output, all);
   if (!call || !call->thrown.empty() || !all.compared.exact.empty()) return std::nullopt;
   std::vector<std::string_view> parts;
-  if (call->operation != output.record)
+  if (call->operation != output.record && wrong.contains(call->operation->name))
     parts.push_back(call->operation->name);
   else
     parts = explained_by(*b.series, output, *call);
@@ -85,6 +93,31 @@ bool follows_within(const std::string& block) {
   return block == "linear" || block == "translation" || block == "coupling";
 }
 
+/// Whether a block says how a result is wrong of which another block judges the value.
+bool is_symptom(const std::string& block) {
+  return block == "jump" || block.ends_with("defect");
+}
+
+/// Whether both fail in a band, or in adjacent ones, in the same scalar.
+bool fail_together(const FailedBlock& a, const FailedBlock& b) {
+  return a.scalar == b.scalar && std::ranges::any_of(a.bands, [&](const BandOf& x) {
+           return x.fails && std::ranges::any_of(b.bands, [&](const BandOf& y) {
+                    return y.fails && x.band <= y.band + 1 && y.band <= x.band + 1;
+                  });
+         });
+}
+
+/// Whether half of the bands in which either fails are bands in which both do.
+bool share_bands(const FailedBlock& a, const FailedBlock& b) {
+  std::set<std::size_t> of_a, of_b, both;
+  for (const BandOf& x : a.bands)
+    if (x.fails) of_a.insert(x.band);
+  for (const BandOf& x : b.bands)
+    if (x.fails) of_b.insert(x.band);
+  std::ranges::set_intersection(of_a, of_b, std::inserter(both, both.end()));
+  return a.scalar == b.scalar && 3 * both.size() >= of_a.size() + of_b.size();
+}
+
 /// Adds each hard case that fails to the finding of its block or operation; returns the findings of the others.
 std::map<BlockKey, Finding> add_hard_cases(const std::vector<HardRow>& hard_cases,
                                            std::map<std::size_t, Finding>& by_root) {
@@ -109,6 +142,126 @@ std::map<BlockKey, Finding> add_hard_cases(const std::vector<HardRow>& hard_case
   return hard_only;
 }
 
+/// The failed blocks of a campaign in groups, and which group causes which.
+class Groups {
+ public:
+  Groups(std::vector<FailedBlock>& failed, std::uint64_t seed) : seed_(seed) {
+    for (FailedBlock& f : failed) {
+      const BlockKey key{f.subject, f.operation, f.block};
+      const auto at = static_cast<std::size_t>(std::ranges::find(keys_, key) - keys_.begin());
+      if (at == keys_.size()) keys_.push_back(key), groups_.emplace_back();
+      groups_[at].blocks.push_back(&f);
+      wrong_[f.subject].insert(f.operation);
+    }
+    find_causes(), join_symptoms(), leave_bands_to_their_causes(), join_blocks();
+  }
+
+  /// The findings by the group that causes them.
+  std::map<std::size_t, Finding> by_root() const {
+    std::map<std::size_t, Finding> all;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      // With an outcome in place of an error, or on a tree, the blocks of an operation fail together.
+      std::size_t first = root(i);
+      const FailedBlock& f = *groups_[first].blocks.front();
+      const bool together = is_tree_law(f.worst->series->property) || !worst_outcome(*f.worst->row).empty();
+      for (std::size_t k = 0; together && k < first; ++k)
+        if (of_one_operation(k, first)) first = root(k);
+      Finding& finding = all[first];
+      finding.subject = std::get<0>(keys_[first]), finding.operation = std::get<1>(keys_[first]);
+      auto& list = of_one_operation(first, i) ? finding.own : finding.others;
+      list.insert(i == first ? list.begin() : list.end(), groups_[i].blocks.begin(), groups_[i].blocks.end());
+      for (const FailedBlock* block : groups_[i].blocks)
+        finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
+    }
+    // Of two scalars with errors, the reader's is the wider one, if it loses two digits.
+    for (auto& [first, finding] : all)
+      std::ranges::stable_sort(finding.own, std::greater(), [&](const FailedBlock* f) {
+        return f->operation == finding.operation && f->scalar == "double" && f->score > 100;
+      });
+    return all;
+  }
+
+ private:
+  bool of_one_operation(std::size_t a, std::size_t b) const {
+    return std::get<0>(keys_[a]) == std::get<0>(keys_[b]) && std::get<1>(keys_[a]) == std::get<1>(keys_[b]);
+  }
+  const std::string& block_of(std::size_t i) const { return std::get<2>(keys_[i]); }
+  const FailedBlock& worst_of(std::size_t i) const { return *groups_[i].blocks.front(); }
+
+  /// The cause of a group is a block of the operation that explains the most, preferably one that follows from no other.
+  void find_causes() {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const auto& [subject, operation, block] = keys_[i];
+      std::size_t most = 0;
+      for (const auto& [part, votes] : causes_of(worst_of(i), seed_, wrong_[subject]))
+        for (std::size_t k = 0; k < groups_.size(); ++k) {
+          const auto& [other_subject, other_operation, other_block] = keys_[k];
+          if (k == i || other_subject != subject || other_operation != part) continue;
+          if (part == operation && (!follows_within(block) || follows_within(other_block))) continue;
+          const std::size_t rank = 2 * votes + (follows_within(other_block) == follows_within(block));
+          if (rank > most) most = rank, groups_[i].cause = k;
+        }
+    }
+  }
+  void join_symptoms() {
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      for (std::size_t k = 0; is_symptom(block_of(i)) && !groups_[i].cause && k < groups_.size(); ++k)
+        if (of_one_operation(i, k) && !is_symptom(block_of(k)) && fail_together(worst_of(i), worst_of(k)))
+          groups_[i].cause = k;
+  }
+  /// A block may have several causes: the bands that another operation explains are that one's alone. If these are all of
+  /// the ordinary angles, the others are, too.
+  void leave_bands_to_their_causes() {
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      for (FailedBlock* f : groups_[i].blocks) {
+        if (groups_[i].cause || f->block == "sign") continue;
+        const auto before = f->bands;
+        std::string_view other;
+        for (BandOf& b : f->bands) {
+          if (!b.fails || stop_requested) continue;
+          const auto parts = causes_in(b, seed_, wrong_[f->subject]);
+          const auto at = parts
+                              ? std::ranges::find_if(*parts, [&](auto part) { return part != f->operation; })
+                              : std::vector<std::string_view>::const_iterator();
+          if (!parts || at == parts->end()) continue;
+          b.fails = false;
+          if (is_ordinary(b.series->bands()[b.band])) other = *at;
+        }
+        if (!other.empty() && std::ranges::none_of(f->bands, fails_ordinarily)) {
+          f->bands = before;
+          for (std::size_t k = 0; k < groups_.size(); ++k)
+            if (std::get<0>(keys_[k]) == f->subject && std::get<1>(keys_[k]) == other) groups_[i].cause = k;
+        } else if (std::ranges::none_of(f->bands, &BandOf::fails)) {
+          f->bands = before;
+        }
+        find_worst(*f);
+      }
+  }
+  /// Blocks of one operation that fail in the same bands are one finding.
+  void join_blocks() {
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      for (std::size_t k = 0; k < i && !groups_[i].cause; ++k)
+        if (!groups_[k].cause && of_one_operation(i, k) && share_bands(worst_of(i), worst_of(k)))
+          groups_[i].cause = k;
+  }
+  /// The group at the end of the causes of i; of groups that cause each other, the first.
+  std::size_t root(std::size_t i) const {
+    std::vector<std::size_t> seen{i};
+    while (groups_[i].cause) {
+      i = *groups_[i].cause;
+      if (const auto at = std::ranges::find(seen, i); at != seen.end())
+        return *std::min_element(at, seen.end());
+      seen.push_back(i);
+    }
+    return i;
+  }
+
+  std::uint64_t seed_;
+  std::vector<BlockKey> keys_;
+  std::vector<Group> groups_;
+  std::map<std::string, std::set<std::string_view>> wrong_;  ///< operations by subject
+};
+
 }  // namespace
 
 bool is_ordinary(const Band& b) {
@@ -119,63 +272,7 @@ bool is_ordinary(const Band& b) {
 
 std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<FailedBlock>& failed,
                                  const std::vector<HardRow>& hard_cases) {
-  std::vector<BlockKey> keys;
-  std::vector<Group> groups;
-  std::map<std::string, std::set<std::string_view>> wrong;  // operations by subject
-  for (FailedBlock& f : failed) {
-    const BlockKey key{f.subject, f.operation, f.block};
-    const auto at = static_cast<std::size_t>(std::ranges::find(keys, key) - keys.begin());
-    if (at == keys.size()) keys.push_back(key), groups.emplace_back();
-    groups[at].blocks.push_back(&f);
-    wrong[f.subject].insert(f.operation);
-  }
-  // The cause of a group is a block of the operation that explains the most, preferably one that follows from no other.
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto& [subject, operation, block] = keys[i];
-    std::size_t most = 0;
-    for (const auto& [part, votes] :
-         causes_of(*groups[i].blocks.front(), campaign.options.seed, wrong[subject]))
-      for (std::size_t k = 0; k < groups.size(); ++k) {
-        const auto& [other_subject, other_operation, other_block] = keys[k];
-        if (k == i || other_subject != subject || other_operation != part) continue;
-        if (part == operation && (!follows_within(block) || follows_within(other_block))) continue;
-        const std::size_t rank = 2 * votes + (follows_within(other_block) == follows_within(block));
-        if (rank > most) most = rank, groups[i].cause = k;
-      }
-  }
-  // A block may have several causes: the bands that another operation explains are that one's alone.
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    for (FailedBlock* f : groups[i].blocks) {
-      if (groups[i].cause || f->block == "sign") continue;
-      const auto before = f->bands;
-      for (BandOf& b : f->bands) {
-        if (!b.fails || stop_requested) continue;
-        const auto parts = causes_in(b, campaign.options.seed, wrong[f->subject]);
-        b.fails = !parts ||
-                  std::ranges::all_of(*parts, [&](std::string_view part) { return part == f->operation; });
-      }
-      if (std::ranges::none_of(f->bands, &BandOf::fails)) f->bands = before;
-      find_worst(*f);
-    }
-  const auto root = [&](std::size_t i) {
-    for (std::size_t steps = 0; groups[i].cause && steps < groups.size(); ++steps) i = *groups[i].cause;
-    return i;
-  };
-  std::map<std::size_t, Finding> by_root;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    // With an outcome in place of an error, or on a tree, the blocks of an operation fail together.
-    std::size_t first = root(i);
-    const FailedBlock& f = *groups[first].blocks.front();
-    const bool together = is_tree_law(f.worst->series->property) || !worst_outcome(*f.worst->row).empty();
-    for (std::size_t k = 0; together && k < first; ++k)
-      if (std::get<0>(keys[k]) == f.subject && std::get<1>(keys[k]) == f.operation) first = root(k);
-    Finding& finding = by_root[first];
-    finding.subject = std::get<0>(keys[first]), finding.operation = std::get<1>(keys[first]);
-    auto& list = first == i || std::get<1>(keys[i]) == finding.operation ? finding.own : finding.others;
-    list.insert(list.end(), groups[i].blocks.begin(), groups[i].blocks.end());
-    for (const FailedBlock* block : groups[i].blocks)
-      finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
-  }
+  std::map<std::size_t, Finding> by_root = Groups(failed, campaign.options.seed).by_root();
   std::map<BlockKey, Finding> hard_only = add_hard_cases(hard_cases, by_root);
   std::vector<Finding> all;
   for (auto& [first, finding] : by_root) all.push_back(std::move(finding));

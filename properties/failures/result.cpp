@@ -326,6 +326,30 @@ std::pair<std::string, std::vector<Pair>> compared(const Output& output, const N
   return all;
 }
 
+/// By how much the rotation of Euler angles is wrong. Empty of other operations.
+std::string turned_text(const Series& series, const Output& output, const NotedCase& noted) {
+  const NotedCall* const call = worst_call(output, noted);
+  if (!call || output.block != "rotation" || !call->operation->name.starts_with("euler_from") ||
+      !std::ranges::all_of(call->result, [](double x) { return std::isfinite(x); }))
+    return "";
+  const auto quaternion = [&](const std::vector<Real>& angles) {
+    return conventions::exact_result(conventions::operation_named("euler_to_quaternion"),
+                                     {Real(call->arguments[0]), angles[0], angles[1], angles[2]});
+  };
+  const std::vector<Real> exact = expected_of(*call);
+  if (exact.empty()) return "";
+  const std::vector<Real> a = quaternion({call->result.begin(), call->result.end()}), b = quaternion(exact);
+  Real same(0), opposite(0);
+  for (std::size_t i = 0; i < 4; ++i)
+    same += (a[i] - b[i]) * (a[i] - b[i]), opposite += (a[i] + b[i]) * (a[i] + b[i]);
+  const double wrong =
+      4 * std::asin(std::min(1.0, std::sqrt(static_cast<double>(std::min(same, opposite))) / 2));
+  const std::vector<double> right = {nearest(series.format(), exact[0]), nearest(series.format(), exact[1]),
+                                     nearest(series.format(), exact[2])};
+  return fmt::format("the rotation of the angles {} is wrong by {:.2g} rad; right are, for example, {}",
+                     numbers_text(series, call->result), wrong, numbers_text(series, right));
+}
+
 }  // namespace
 
 Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
@@ -344,13 +368,15 @@ Comparison comparison_of(const Series& series, const Output& output, const Noted
 }
 
 std::string worst_number_text(const Series& series, const Output& output, const NotedCase& noted) {
+  if (const std::string rotation = turned_text(series, output, noted); !rotation.empty()) return rotation;
   const auto [operation, pairs] = compared(output, noted);
   if (pairs.empty()) return "";
   const Pair& p = pairs.front();
   return fmt::format("{} is {}, and {} is right", p.name,
                      std::isfinite(p.got) ? decimal_float(p.got, series.format())
                      : std::isnan(p.got)  ? "NaN"
-                                          : p.got > 0 ? "inf" : "-inf",
+                     : p.got > 0          ? "inf"
+                                          : "-inf",
                      decimal_float(nearest(series.format(), p.exact), series.format()));
 }
 

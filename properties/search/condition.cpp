@@ -44,6 +44,7 @@ constexpr Name names[] = {
     {Feature::largest, "the largest of |x|, |y|, |z| is number", "", Written::count},
     {Feature::octant, "the octant of x, y, z", "", Written::count},
     {Feature::fraction, "t", "", Written::number},
+    {Feature::lock, "the angle from gimbal lock", " rad", Written::number},
     {Feature::order, "the order of Euler angles", "", Written::count},
     {Feature::seen, "the reference frame", "", Written::count},
     {Feature::joints, "joints", "", Written::count},
@@ -84,6 +85,7 @@ struct Tried {
   std::vector<double> input;
   Features features;
   bool failed = false;
+  double error = 0;  ///< [eps]
   std::size_t band = 0;
 };
 
@@ -131,7 +133,8 @@ class Trial {
     if (!features && of_tree_) features = context.features;  // the output is formed from several calls
     if (of_output == judged.end() || !features) return std::nullopt;
     const auto failure = failure_of(judged, static_cast<int>(output_));
-    return Tried{x, *features, failure.has_value(), (failure ? *failure : *of_output).residual.band};
+    const Residual& r = (failure ? *failure : *of_output).residual;
+    return Tried{x, *features, failure.has_value(), r.error, r.band};
   }
 
  private:
@@ -221,7 +224,19 @@ class ConditionSearch {
         (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all)))
       return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);
+    best->slope = slope_over(best->feature);
     return best;
+  }
+  double slope_over(Feature feature) const {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const Tried& t : all_) {
+      if (!t.failed) continue;
+      const double a = std::log(t.features[feature]), b = std::log(t.error);
+      if (!std::isfinite(a) || !std::isfinite(b)) continue;
+      ++n, x += a, y += b, xx += a * a, xy += a * b;
+    }
+    const double spread = n * xx - x * x;
+    return n < 5 || !(spread > 0) ? 0 : (n * xy - x * y) / spread;
   }
   static double errors(const Condition& c) {
     return static_cast<double>(c.cases - c.failed + c.failed_elsewhere);

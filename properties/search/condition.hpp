@@ -15,6 +15,7 @@ struct Condition {
   double low = 0, high = 0;
   std::uint64_t failed = 0, cases = 0;                ///< where it holds
   std::uint64_t failed_elsewhere = 0, elsewhere = 0;  ///< where it does not
+  double slope = 0;  ///< of log error over log feature, where it fails; 0 if a value is not positive
   bool in_bands = false;                              ///< it separates the inputs of the failing bands only
   bool holds(const Features& f) const { return f[feature] >= low && f[feature] < high; }
 };

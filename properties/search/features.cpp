@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <oracles/orientations.hpp>
 #include <string_view>
 
 namespace liecheck::properties {
@@ -77,6 +78,7 @@ class Sorter {
                  c = entry(0, 0) + entry(1, 1) + entry(2, 2) - 1;
       angle(std::atan2(s, c), std::atan2(s, -c));
     }
+    if (features_[Of::order] == features_[Of::order]) features_[Of::lock] = from_lock();
     const double* const axis = phi_ ? phi_ : !quaternions_.empty() ? quaternions_[0] : vector_;
     if (axis) {
       int octant = 0, zeros = 0;
@@ -116,6 +118,27 @@ class Sorter {
     }
     const Long w = std::fabs(A[3] * B[3] + A[0] * B[0] + A[1] * B[1] + A[2] * B[2]);
     angle(2 * std::atan2(norm(v, 3), w), 2 * std::atan2(w, norm(v, 3)));
+  }
+  /// Of R = R_i(a) R_j(b) R_k(c): |sin b| = |R(i, k)|, or |cos b| = |R(i, i)| if i = k, and the rest of the row is the other
+  /// function. Of static axes the transpose. NaN without a rotation.
+  double from_lock() const {
+    Long R[3][3];
+    if (matrix_) {
+      for (int i = 0; i < 9; ++i) R[i / 3][i % 3] = matrix_[i];
+    } else if (!quaternions_.empty()) {
+      const double* Q = quaternions_[0];
+      const auto m = Eigen::Quaternion<Long>(Q[3], Q[0], Q[1], Q[2]).normalized().toRotationMatrix();
+      for (int i = 0; i < 9; ++i) R[i / 3][i % 3] = m(i / 3, i % 3);
+    } else {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const oracles::Order order(static_cast<int>(features_[Of::order]));
+    const int row = order.axes[0], column = order.axes[2];
+    Long rest = 0;
+    for (int k = 0; k < 3; ++k)
+      if (k != column) rest += squared(order.rotating ? R[row][k] : R[k][row]);
+    const Long at = order.rotating ? R[row][column] : R[column][row];
+    return static_cast<double>(std::atan2(std::sqrt(rest), std::fabs(at)));
   }
   void raise(Of feature, double value) { features_[feature] = larger(features_[feature], value); }
 

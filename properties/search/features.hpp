@@ -63,6 +63,7 @@ enum class Feature : std::uint8_t {
   fraction,  ///< t
   along,     ///< the cosine of the angle between the axis of the first rotation and the first vector
   order,     ///< of Euler angles
+  lock,      ///< the angle between the middle Euler angle of a rotation and the nearer end of its range [rad]
   call,         ///< 1 for the first call of the operation, and so on
   call_mod_1000,   ///< the number of the call modulo 1000
   call_mod_2,      ///< and modulo 2

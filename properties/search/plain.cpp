@@ -41,7 +41,7 @@ const Vectors vectors[] = {{{1, 2, 3}, {2, -1, 0.5}, {0.5, 3, -1}},
 Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angle, std::size_t axis,
                double sign, const Vectors& of) {
   Plain all;
-  std::size_t vectors_before = 0;
+  std::size_t vectors_before = 0, directions = 0;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const Field& f = fields[k];
     const auto size = static_cast<std::size_t>(f.size);
@@ -56,10 +56,14 @@ Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angl
       group = {s * Q.x(), s * Q.y(), s * Q.z(), s * Q.w()};
     else if (f.kind == Kind::rotation_matrix && size == 9)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(group.data()) = turn.toRotationMatrix();
-    else if (f.kind == Kind::vector && size == 3)
-      group = vectors_before == 0 ? of.first : vectors_before == 1 ? of.second : of.others, ++vectors_before;
-    else if (f.kind == Kind::direction && size > 0)
-      group[0] = 1;
+    else if (f.kind == Kind::vector && (size == 3 || size == 2))
+      group = vectors_before == 0   ? of.first
+              : vectors_before == 1 ? of.second
+                                    : of.others,
+      ++vectors_before, group.resize(size);
+    else if (f.kind == Kind::direction && size > 1)  // the second of two is turned
+      group[0] = directions++ == 0 && size == 3 ? 1 : std::cos(angle),
+      group[axis == 1 ? size - 1 : 1] = group[0] == 1 ? 0 : std::sin(angle);
     else if (f.kind == Kind::fraction)
       group.assign(size, 0.25);
     else if (f.kind == Kind::angle)
@@ -113,25 +117,36 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
   return std::nullopt;
 }
 
-std::optional<double> angle_between(const Series& series, int output, double failing, double passing) try {
+std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing) try {
   for (const double sign : {1.0, -1.0})
     for (std::size_t turned = series.fields.size() + 1; turned-- > 0;)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turned < series.fields.size() && !turns(series.fields[turned].kind)) continue;
-        const auto fails = [&](double angle) -> std::optional<bool> {
+        /// Error over limit; infinite for an outcome without an error.
+        const auto score = [&](double angle) -> std::optional<double> {
           const Plain x = taken(series, input_of(series.fields, turned, angle, axis, sign, vectors[0]));
           if (stop_requested || x.empty()) return std::nullopt;
-          return failure_of(series.measure(x), output).has_value();
+          double most = 0;
+          for (const Judged& j : series.measure(x)) {
+            if (j.residual.output != output) continue;
+            const double own = score_of(series, j) / (j.budget ? j.budget->limit : 1);
+            most = std::max(most, !j.failed ? std::min(own, 1.0)
+                                  : j.residual.outcome != Outcome::measured
+                                      ? std::numeric_limits<double>::infinity()
+                                      : std::max(own, 1 + 1e-9));
+          }
+          return most;
         };
-        if (!fails(failing).value_or(false) || fails(passing).value_or(true)) continue;
-        double in = failing, out = passing;
+        if (score(failing).value_or(0) <= 1 || score(passing).value_or(2) > 1) continue;
+        double in = failing, out = passing, beside = *score(passing);
         for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
           const double angle = std::sqrt(in * out);
-          const auto failed = fails(angle);
-          if (!failed) break;
-          (*failed ? in : out) = angle;
+          const auto s = score(angle);
+          if (!s) break;
+          if (*s <= 1) beside = *s;
+          (*s > 1 ? in : out) = angle;
         }
-        return std::sqrt(in * out);
+        return Crossing{std::sqrt(in * out), beside};
       }
   return std::nullopt;
 } catch (const GivenUp&) {  // a signal ended a call

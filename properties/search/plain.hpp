@@ -18,8 +18,12 @@ struct BandOfFailure {
 std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, int output,
                                     const std::vector<BandOfFailure>& bands);
 
-/// The angle [rad] at which plain inputs of an output cease to fail, by bisection between an angle at which they fail and
-/// one at which they pass; none if no plain input does so.
-std::optional<double> angle_between(const Series& series, int output, double failing, double passing);
+struct Crossing {
+  double angle;    ///< [rad]
+  double passing;  ///< error over limit of an input beside it that passes: near 1 where the error grows over the limit
+};
+/// Where plain inputs of an output cease to fail, by bisection between an angle at which they fail and one at which they
+/// pass; none if no plain input does so.
+std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing);
 
 }  // namespace liecheck::properties

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
+#include <failures/findings.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -141,9 +142,15 @@ std::vector<json> cells_of(const CampaignResult& r, const CellOf& key_of) {
     for (const Cliff& cliff : cliffs_of(*series, tally))
       if (Cell* c = own(cliff.output); c && c->cliff.empty()) c->cliff = text_of(*series, cliff);
   }
-  for (const FailedBlock& f : failed_blocks(r))
+  std::vector<FailedBlock> failed = failed_blocks(r);
+  const std::vector<Finding> findings = findings_of(r, failed, {});
+  for (const FailedBlock& f : failed)
     if (const auto key = key_of(f.operation, f.scalar); key && cells[*key].failure.is_null())
       cells[*key].failure = failure_of(f, r);
+  for (const Finding& finding : findings)
+    for (const FailedBlock* f : finding.others)
+      if (const auto key = key_of(f->operation, f->scalar); key && f->operation != finding.operation)
+        cells[*key].failure["because"] = finding.operation;
   std::vector<json> all;
   for (const auto& [key, cell] : cells) all.push_back(record_of(key, cell));
   return all;

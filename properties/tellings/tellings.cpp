@@ -139,10 +139,10 @@ Text inertial_rpy(Text t) {
     if (l.inertial) l.inertial->at.linear() = R, l.inertial->I = R.transpose() * l.inertial->I * R;
   return t;
 }
-/// A part of each body becomes a link that is fixed to the body's link: all of it, or half of it.
+/// A part of each body becomes a link that is fixed to the body's link: all of it, or half of it, on which the joints hang.
 Text with_parts(Text t, bool all) {
   const Isometry3d X = somewhere();
-  const std::size_t n = t.links.size();
+  const std::size_t n = t.links.size(), joints = t.joints.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (!t.links[i].inertial) continue;
     Inertial& own = *t.links[i].inertial;
@@ -150,6 +150,8 @@ Text with_parts(Text t, bool all) {
     Inertial part = own;
     part = moved(X.inverse(), part);
     const std::string name = t.links[i].name + "_part";
+    for (std::size_t k = 0; k < joints && !all; ++k)
+      if (Joint& j = t.joints[k]; j.parent == t.links[i].name) j.parent = name, j.at = X.inverse() * j.at;
     t.joints.push_back({name + "_joint", "fixed", t.links[i].name, name, X});
     if (all) t.links[i].inertial.reset();
     t.links.push_back({name, part});

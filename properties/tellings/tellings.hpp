@@ -24,7 +24,8 @@ struct Telling {
 /// - inertial_rpy: the axes of each inertia are rotated by its <origin rpy="...">
 /// - lumped_fixed_joints: each body is a link of its own, fixed to the link at a distance and rotated
 /// - offset_frames: before each joint, a massless link at a distance and rotated
-/// - split_bodies: half of each body is a link of its own, fixed to the other half at a distance and rotated
+/// - split_bodies: half of each body is a link of its own, fixed to the other half at a distance and rotated; the next joints
+///   hang on it
 /// - mirrored_axes: each axis and the sign of its coordinate are reversed
 /// - re_rooted: a child of the base is the base; only if the root floats and has a joint of one degree of freedom
 ///

@@ -178,6 +178,7 @@ Json full_record() {
   all["robot"]["root"] = "fixed";
   all.update(parsed(R"json({"total_cases": 40000,
  "counterexamples": {"failing": ["g4.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
+ "findings": [{"operation": "exp6", "subject": "textbook", "text": "1  exp6 (translation): all 15.7 digits lost in double\\n"}],
  "cliffs": [{"band": "theta 1e-8..1e-7", "beside": "moderate angles", "block": "translation", "figure": 3e7,
    "operation": "exp6", "property": "exp_oracle", "reference": 1.5, "scalar": "double", "subject": "textbook",
    "expected": false}],
