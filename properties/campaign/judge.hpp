@@ -68,6 +68,7 @@ class Judge final : public Recorder {
       decided(k * eps_, 1, accuracy);
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
+      if (overflowed && j.ill_posed) j.residual.error = std::numeric_limits<double>::infinity();
       // If kappa is below the law's lower bound, verdicts that relied on this bound may be wrong.
       if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
         j.residual.outcome = Outcome::unresolved;

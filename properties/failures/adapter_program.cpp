@@ -2,11 +2,14 @@
 #include <fmt/ranges.h>
 #include <adapters/adapter.hpp>
 #include <adapters/subjects.hpp>
+#include <adapters/trees.hpp>
 #include <campaign/series.hpp>
 #include <conventions/stated.hpp>
 #include <conventions/values.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
+#include <invariants/tree_case.hpp>
+#include <invariants/tree_laws.hpp>
 #include <span>
 
 namespace liecheck::properties {
@@ -66,11 +69,41 @@ std::string program_of_template(const Series& series, const Output& output, cons
   return "";
 }
 
-std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted) try {
+namespace {
+
+/// The call of an operation on a tree, with the model as an adapter that takes lists of joints is given it.
+std::string tree_call(const Series& series, const NotedCall& call, const adapters::Description& d,
+                      const CaseId& id) {
+  if (!is_tree_law(series.property) || series.on_robot) return "";
+  const std::vector<double> x = series.numbers(id);
+  const TreeCase<double> c(TreeLayout::of_size(x.size()), x, x);
+  const adapters::Model model(described(c), d, series.format(), {});
+  std::string text =
+      fmt::format("  as the adapter is called: {} in {}{}\n    model {}\n", call.operation->name,
+                  series.scalar, call.seen.empty() ? "" : ", seen in " + call.seen, model.text());
+  std::span<const double> left(call.arguments);
+  for (const Layout* l : call.operation->arguments)
+    for (const Part& part : l->parts) {
+      std::vector<std::string> numbers;
+      for (const double y : left.first(size_of(part, model.size())))
+        numbers.push_back(decimal_float(y, series.format()));
+      left = left.subspan(numbers.size());
+      text += fmt::format("    {} = {}\n", part.name, fmt::join(numbers, ", "));
+    }
+  if (call.operation->name.starts_with("frame_"))
+    text += fmt::format("    frame = {}\n", fmt::join(model.frame(), ", "));
+  return text;
+}
+
+}  // namespace
+
+std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted,
+                            const CaseId& id) try {
   if (std::string own = program_of_template(series, output, noted); !own.empty()) return own;
   const adapters::Description* const d = adapters::description_of(series.adapter);
   const NotedCall* const call = worst_call(output, noted);
   if (!d || !call) return "";
+  if (adapters::model_operation(call->operation->name)) return tree_call(series, *call, *d, id);
   const auto arguments = arguments_in(*call, *d, series.format());
   std::string text =
       fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);

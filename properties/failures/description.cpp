@@ -15,7 +15,7 @@ std::string case_text(const Series& series, const CaseId& id, const std::vector<
   const auto output = static_cast<std::size_t>(judged.residual.output);
   const NotedCase case_noted = noted(series, id, output);
   std::string program;
-  if (!series.adapter.empty()) program = adapter_program(series, series.outputs[output], case_noted);
+  if (!series.adapter.empty()) program = adapter_program(series, series.outputs[output], case_noted, id);
   Judged with_kappa = judged;
   if (judged.residual.kappa == 0) with_kappa.residual.kappa = case_noted.kappa;
   std::string lost;

@@ -24,6 +24,7 @@ std::string own_program(const Series& series, const Output& output, const NotedC
 std::string program_of_template(const Series& series, const Output& output, const NotedCase& noted);
 
 /// The same, or the numbers of this call.
-std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted);
+std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted,
+                            const CaseId& id);
 
 }  // namespace liecheck::properties
