@@ -33,10 +33,15 @@ std::string cases_text(const Json& record) {
 /// What a campaign printed of its findings.
 std::string findings(const Merged& merged) {
   std::string out;
+  std::size_t count = 0;
   for (const Json& record : merged.records)
     for (const Json& finding : list_in(record, "findings"))
-      out += fmt::format("<pre class=\"finding\">{}</pre>\n", text_of(finding, "text"));
-  return out;
+      out += fmt::format("<pre class=\"finding\">{}</pre>\n", text_of(finding, "text")), ++count;
+  return count == 0 ? ""
+                    : fmt::format(
+                          "<details class=\"campaign\"><summary>Findings: {}, the worst first</summary>\n"
+                          "{}</details>\n",
+                          count, out);
 }
 
 std::string verdict_section(const Merged& merged) {
