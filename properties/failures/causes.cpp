@@ -316,9 +316,9 @@ struct Judging {
 
   double distance(const Numbers& a, const Numbers& b) const {
     double same = 0, opposite = 0;
-    for (const std::size_t i : of)
-      same += (a[i] - b[i]) * (a[i] - b[i]), opposite += (a[i] + b[i]) * (a[i] + b[i]);
-    return std::sqrt(either_sign ? std::min(same, opposite) : same);
+    for (const std::size_t i : of)  // squares of tiny numbers are 0
+      same = std::hypot(same, a[i] - b[i]), opposite = std::hypot(opposite, a[i] + b[i]);
+    return either_sign ? std::min(same, opposite) : same;
   }
   bool finite(const Numbers& x) const {
     return std::ranges::all_of(of, [&](std::size_t i) { return std::isfinite(x[i]); });

@@ -72,12 +72,17 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   return "   interrupted: this case is not measured again\n";
 }
 
-/// Whether every failing band is of angles above 10.
-bool fails_at_huge_angles_only(const FailedBlock& f) {
-  return std::ranges::all_of(f.bands, [](const BandOf& b) {
+/// The line of [domain] that leaves the failures out, if every failing band is of angles above 10, or of angles below 1e-100;
+/// else "".
+std::string domain_of(const FailedBlock& f) {
+  bool huge = true, tiny = true;
+  for (const BandOf& b : f.bands) {
+    if (!b.fails) continue;
     const Band& band = b.series->bands()[b.band];
-    return !b.fails || (band.axis == Axis::none && band.region == Region::beyond_pi && band.low >= 10);
-  });
+    huge = huge && band.axis == Axis::none && band.region == Region::beyond_pi && band.low >= 10;
+    tiny = tiny && band.axis == Axis::theta && band.low > 0 && band.high < 2e-100;
+  }
+  return huge ? "angle = 100" : tiny ? "angle >= 1e-100" : "";
 }
 
 /// "all 15.7 digits lost in double, 3.9 of 6.9 digits lost in float", of the worst block in each scalar.
@@ -113,10 +118,9 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
                                  how_bad(finding.own));
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
                       finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
-  if (fails_at_huge_angles_only(first))
-    text += fmt::format(
-        "   domain   a limits file leaves such angles out by \"{}, angle = 100\" below [domain]\n",
-        finding.operation);
+  if (const std::string domain = domain_of(first); !domain.empty())
+    text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
+                        finding.operation, domain);
   if (const std::string guess = guess_of(first); !guess.empty())
     text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
