@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/markdown.hpp>
 #include <support/read_json.hpp>
 #include <support/text.hpp>
@@ -150,6 +151,8 @@ std::vector<Entry> read_roster(const std::string& file) {
       all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
                      e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
                      e.value("limits", "")});
+      for (const std::string& named : {all.back().adapter, all.back().robot, all.back().limits})
+        keep_files(named, "a file that the list of adapters names");
     }
   });
   return all;

@@ -281,6 +281,7 @@ Scene read(const Text& text, const std::string& content, std::vector<std::string
   readTime(text, root, scene);
   checkParts(text, root, scene);
   addWarnings(text, root, scene, warnings);
+  scene.files = text.named();
   return scene;
 }
 
