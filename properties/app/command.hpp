@@ -174,9 +174,10 @@ struct SelectionFlags {
   LimitsFlags limits;
   std::string json;
 
-  void add(Arguments& arguments);
+  /// Adds the flags and returns them.
+  std::vector<Flag> add(Arguments& arguments);
   /// All but --subject and --adapter.
-  void add_laws(Arguments& arguments);
+  std::vector<Flag> add_laws(Arguments& arguments);
   /// Starts the adapters. By default their subjects, or liecheck, in float and double; the subject "all" means
   /// all subjects.
   Selection selection() const;
