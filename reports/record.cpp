@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <support/read_json.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::reports {
 
@@ -76,6 +77,10 @@ void check_relations(std::string_view file, const Json& record) {
     check_verdict(field, row["status"] == "fail");
   });
   each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {
+    each(field + ".cells", hard["cells"], [&](const std::string& at, const Json& cell) {
+      if (!properties::is_replay(cell["replay"]))
+        refuse(file, at + ".replay", "a line of liecheck replay", cell["replay"]);
+    });
     for (const Json& cell : hard["cells"]) {
       check_verdict(field, cell["failed"]);
       if (const std::string scalar = cell["scalar"]; !hard["input"].contains(scalar))

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <string_view>
 #include <support/json.hpp>
 
 namespace liecheck::properties {
@@ -53,12 +54,32 @@ std::string file_name(const std::string& text) {
   return name;
 }
 
+namespace {
+constexpr std::string_view plain_in_a_shell =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
+}
+
 std::string shell_quoted(const std::string& word) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
-  if (!word.empty() && word.find_first_not_of(plain) == word.npos) return word;
+  if (!word.empty() && word.find_first_not_of(plain_in_a_shell) == word.npos) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+bool is_replay(const std::string& text) {
+  if (!(text.starts_with("liecheck replay ") || text.starts_with("liecheck lab replay ")) ||
+      printable(text) != text)
+    return false;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\'')
+      quoted = !quoted;
+    else if (!quoted && text.compare(i, 2, "\\'") == 0)
+      ++i;
+    else if (!quoted && text[i] != ' ' && plain_in_a_shell.find(text[i]) == plain_in_a_shell.npos)
+      return false;
+  }
+  return !quoted;
 }
 
 std::string xml_escaped(const std::string& text) {

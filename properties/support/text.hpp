@@ -19,6 +19,10 @@ std::string file_name(const std::string& text);
 /// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
 
+/// Whether the text is one line that runs `liecheck replay` or `liecheck lab replay` and nothing else in a POSIX shell: outside
+/// of single quotes, it has only letters that shell_quoted() leaves as they are.
+bool is_replay(const std::string& text);
+
 /// Returns the text as a part of XML or HTML, in an element or an attribute; control characters as &#NN;.
 std::string xml_escaped(const std::string& text);
 
