@@ -114,6 +114,16 @@ std::string pile() {
   for (int k = 1; k <= 20'000; ++k) obj += fmt::format("v 0 0 {}e-7\nf 1 2 {}\n", k, k + 2);
   return obj;
 }
+/// A robot of n joints on one link.
+std::string star(int n) {
+  std::string text = "<robot name='r'>" + link_body;
+  for (int k = 0; k < n; ++k)
+    text += fmt::format(
+        "<link name='l{0}'/><joint name='j{0}' type='revolute'><parent link='a'/><child link='l{0}'/>"
+        "<axis xyz='1 0 0'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>",
+        k);
+  return text + "</robot>";
+}
 /// A rollback journal that names a second journal, which SQLite would delete.
 std::string journal_naming(const std::string& file) {
   const auto number = [](std::uint32_t n) {
@@ -271,6 +281,14 @@ std::vector<Hostile> all() {
         {"r.urdf", "<robot name='r'>" + link_body.substr(0, link_body.size() - 7) +
                        "<collision><geometry><mesh "
                        "filename='file://@/outside/m.obj'/></geometry></collision></link></robot>"}}},
+      {"RobotOfManyJoints",
+       "$L campaign --no-hard-cases --property mass_matrix --cases 1 -j 1 --robot r.urdf",
+       "r.urdf: too large for the laws, which take at most 500 velocities (506 velocities)",
+       {{"r.urdf", star(500)}}},
+      {"RobotOfManyJointsTold",
+       "$L adapter tellings --cases 1 --robot r.urdf",
+       "r.urdf: too large for the laws",
+       {{"r.urdf", star(500)}}},
       {"RobotNamedLikeACommand",
        "$L campaign --no-hard-cases --property robot_configuration --scalar double --cases 2 -j 1 --seed 1 "
        "--all --robot r.urdf --json j.json",
