@@ -457,6 +457,16 @@ std::vector<Hostile> all() {
       store("StoreOfEndlessCases", "$L report s.db --out o", "written by",
             "sealed: UPDATE campaigns SET cases = 9000000000000000000, last = 9000000000000000000, generator "
             "= 1"),
+      store("StoreOfTextForACount", with_store,
+            "corrupt: the column fast of its table series holds a value of another type than INTEGER",
+            "sealed: UPDATE series SET fast = 'no number'"),
+      store("StoreOfTextForARange", with_store,
+            "corrupt: the column first of its table done holds a value of another type than INTEGER",
+            "sealed: UPDATE done SET first = 'zero'"),
+      store("StoreOfAWordAmongCases", with_store, "corrupt: a list of cases is malformed",
+            "sealed: UPDATE series SET disagreed = 'neither a list'"),
+      store("StoreOfALongText", with_store, "corrupt: a value is longer than 68157440 bytes",
+            "store: UPDATE campaigns SET urdf = printf('%.*c', 70000000, 'x')"),
       store("StoreOfManyBins", with_store, "corrupt: a histogram is malformed",
             "sealed: UPDATE cells SET histogram = '2:1 1:1'"),
       store("StoreOfABinBeyondAll", with_store, "corrupt: a histogram is malformed",
@@ -570,7 +580,8 @@ class HostileFile : public testing::TestWithParam<Hostile> {
     SQLite::Database database(file, SQLite::OPEN_READWRITE);
     database.exec(content.substr(content.find(' ') + 1));
     if (content.starts_with("sealed: "))
-      for (const std::string table : {"campaigns", "series", "cells", "limits"}) seal(database, table);
+      for (const std::string table : {"campaigns", "series", "done", "cells", "limits"})
+        seal(database, table);
   }
   /// Seals the rows of a table again.
   static void seal(SQLite::Database& database, const std::string& table) {
