@@ -13,8 +13,10 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
+#include <optional>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -94,7 +96,9 @@ namespace {
 /// Adds what differs in one adapter, and withholds the operations that it concerns.
 void withhold(const std::string& text, bool quiet, Differences& all) try {
   std::vector<std::string> unexplained, withheld;
+  std::optional<Steps> probed(std::in_place, "probing " + text);
   const adapters::Checked checked = adapters::check(*adapters::start(text));
+  probed.reset();
   for (const conventions::Finding& found : checked.findings) {
     if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
     if (!found.usual)

@@ -359,6 +359,10 @@ TEST(Terminal, ALibraryThatHangsWhileItIsLoadedIsNamed) {
   EXPECT_SAYS(text, "./slow.so is loaded, and its constructors have not returned yet");
 }
 
+TEST(Terminal, ALongProbeSaysOffATerminalThatItGoesOn) {
+  EXPECT_SAYS(run("adapter check 'sleep 11'").second, "probing sleep 11: 0:10\n");
+}
+
 TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
   const std::string text = run(of_cases(20) + adapter("raise ValueError('no luck')")).second;
   const auto first =
