@@ -132,6 +132,10 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
   const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
   const auto rest = at->remaining();
+  if (at != &program && dynamic_cast<const CLI::RequiredError*>(&e) && !rest.empty() &&
+      rest[0].starts_with('-'))
+    return fmt::format("{}: '{}' is none of its options; a file of this name is ./{}", at->get_name(),
+                       rest[0], rest[0]);
   if (commands.empty() || (rest.empty() && (at == &program || at->get_require_subcommand_min() == 0)))
     return given_twice(e);
   std::vector<std::string> known;

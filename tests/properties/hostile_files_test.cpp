@@ -541,6 +541,10 @@ std::vector<Hostile> all() {
        {{"a.sh",
          "printf '{\"protocol\": 1, \"name\": \"\\\\u001b[2J\", \"version\": \"\", \"operations\": "
          "{\"exp6\": [\"double\"]}}\\n'; cat >/dev/null\n"}}},
+      {"AdapterOfALongDescription",
+       "$L adapter check \"sh a.sh\"",
+       "a line has at most 65536 bytes",
+       {{"a.sh", "head -c 300000 /dev/zero | tr '\\000' 'v'; cat\n"}}},
       {"CheckedAdapterOfEscapes",
        "$L adapter check \"sh a.sh\"",
        "its name",
