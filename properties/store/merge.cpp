@@ -129,6 +129,11 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
       old->copy_to(part.name());
     }
     Store(part.name(), Store::Open::create).write(merged, replace, others);
+  } catch (const std::runtime_error& e) {
+    fs::remove(part.name() + "-journal", error);
+    const std::string why = e.what();  // names the file that would have taken the place of `out`
+    if (!why.starts_with(part.name())) throw;
+    throw std::runtime_error(out + why.substr(part.name().size()));
   } catch (...) {
     fs::remove(part.name() + "-journal", error);
     throw;

@@ -135,8 +135,15 @@ SQLite::Database open(const std::string& path, bool create) {
 
 }  // namespace
 
-Store::Store(const std::string& path, Open how) : path_(path), database_(open(path, how == Open::create)) {
-  check_format(how);
+Store::Store(const std::string& path, Open how)
+    : path_(path), is_new_(::access(path.c_str(), F_OK) != 0), database_(open(path, how == Open::create)) {
+  try {
+    check_format(how);
+  } catch (...) {
+    std::error_code error;
+    if (is_new_ && std::filesystem::file_size(path, error) == 0) std::filesystem::remove(path, error);
+    throw;
+  }
 }
 
 void Store::check_format(Open how) try {
