@@ -15,7 +15,8 @@ void fill(std::string& page, const std::string& slot, const std::string& with) {
 
 }  // namespace
 
-std::string league_page(const nlohmann::json& record) {
+std::string league_page(nlohmann::json record) {
+  escape_texts(record);
   std::string page(embedded_file("league.html")), numbers = dumped(record);
   for (auto at = numbers.find('<'); at != numbers.npos; at = numbers.find('<', at + 6))
     numbers.replace(at, 1, "\\u003c");  // no text of a library ends the script

@@ -8,6 +8,6 @@ namespace liecheck::reports {
 
 /// One HTML file without any other: library by operation, sorted by what a reader asks. `record` is that of
 /// `liecheck lab league --record` (docs/laboratory.md).
-std::string league_page(const nlohmann::json& record);
+std::string league_page(nlohmann::json record);
 
 }  // namespace liecheck::reports

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <support/read_json.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::reports {
 
@@ -20,6 +21,9 @@ void check_names(std::string_view file, const Json& value) {
   for (const auto& [name, part] : value.items()) {
     if (value.is_object() && name.starts_with('*'))
       throw std::runtime_error(fmt::format("{}: a member may not begin with a star: {}", file, name));
+    if (value.is_object() && properties::printable(name) != name)
+      throw std::runtime_error(fmt::format("{}: the name of a member has an invisible character: '{}'", file,
+                                           properties::printable(name)));
     if (part.is_structured()) check_names(file, part);
   }
 }
@@ -76,6 +80,10 @@ void check_relations(std::string_view file, const Json& record) {
     check_verdict(field, row["status"] == "fail");
   });
   each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {
+    each(field + ".cells", hard["cells"], [&](const std::string& at, const Json& cell) {
+      if (!properties::is_replay(cell["replay"]))
+        refuse(file, at + ".replay", "a line of liecheck replay", cell["replay"]);
+    });
     for (const Json& cell : hard["cells"]) {
       check_verdict(field, cell["failed"]);
       if (const std::string scalar = cell["scalar"]; !hard["input"].contains(scalar))
@@ -165,6 +173,15 @@ void check_record(std::string_view file, const Json& record) {
   check_relations(file, record);
 }
 
+void escape_texts(Json& value) {
+  if (value.is_string()) {
+    auto& text = value.get_ref<std::string&>();
+    text = properties::printable_lines(text);
+  } else if (value.is_structured()) {
+    for (Json& part : value) escape_texts(part);
+  }
+}
+
 Merged merge_records(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) throw std::runtime_error("no record given: a report needs at least one");
   Merged merged;
@@ -184,6 +201,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
     if (kind != std::end(measurement_kinds)) {
       check_schema(path, record, *kind);
       prune(record, *kind);
+      escape_texts(record);
       check_measurement(path, *kind, record,
                         [&](const std::vector<std::string>& key) { refuse_twice("rows", "row ", key); });
       merged.measurements[*kind].push_back(std::move(record));
@@ -192,6 +210,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
     check_is_of_a_campaign(path, record);
     check_record(path, record);
     prune(record);
+    escape_texts(record);
     for (Json& row : record["results"]) {
       refuse_twice(
           "results", "row ",

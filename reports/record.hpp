@@ -54,6 +54,9 @@ void check_record(std::string_view file, const Json& record);
 /// occurs twice for the same law, subject and scalar.
 Merged merge_records(const std::vector<std::filesystem::path>& files);
 
+/// Escapes each text as printable_lines() does, for a page.
+void escape_texts(Json& value);
+
 /// The list with this name, or an empty list if the record is older and lacks it.
 const Json& list_in(const Json& object, const char* name);
 

@@ -126,7 +126,7 @@ Command bounds_command(CLI::App& lab) {
   a.number("--boxes", a->options.boxes, 1, 20'000'000,
            "boxes of inputs to evaluate for each operation: more of them lower the bound");
   a.text("--claim", a->claim, "EPS", "prove this bound of one operation, or fail");
-  a.text("--state", a->state, "FILE", "write each finished operation, and go on from there");
+  a.updated("--state", a->state, "FILE", "write each finished operation, and go on from there");
   a.jobs(a->options.jobs);
   a.json(a->json, "write the bounds to FILE");
   return a.runs(run);

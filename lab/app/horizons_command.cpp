@@ -129,7 +129,7 @@ Command horizons_command(CLI::App& lab) {
   a.number("--steps", a->options.steps, 64, 100'000'000'000, "calls of each path");
   a.number("--paths", a->options.paths, 1, 64, "paths with other random numbers");
   a.seed(a->options.seed, "seed of the increments");
-  a.text("--state", a->options.state, "FILE", "write where each path is, and go on from there");
+  a.updated("--state", a->options.state, "FILE", "write where each path is, and go on from there");
   a.toggle("--all", a->all, "show all points");
   a.jobs(a->options.jobs);
   a.json(a->json, "write the rows to FILE");

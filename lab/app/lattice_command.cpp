@@ -139,7 +139,7 @@ Command lattice_command(CLI::App& lab) {
   a.toggle("--conditions", a->conditions,
            "print what a finding would say of where a fault acts, if that is not right");
   a.duration("--for", o.seconds, "stop after this time: 30s, 5m");
-  a.text("--resume", o.resume, "FILE", "append each verdict to FILE, and continue what FILE contains");
+  a.updated("--resume", o.resume, "FILE", "append each verdict to FILE, and continue what FILE contains");
   a.json(a->json, "write the table to FILE");
   return a.runs(run);
 }

@@ -187,9 +187,9 @@ Command league_command(CLI::App& program) {
       "stopped, or if a library could not be measured");
   a.choice("--for", a->question, league::questions, "WHERE",
            "sort by what holds there: near-zero, near-pi, 1e-8, off-unit or 1kHz");
-  a.text("--out", a->out, "FILE.html", "write the page");
-  a.text("--record", a->record, "FILE.json",
-         "write the record after each library; one that exists is continued");
+  a.output("--out", a->out, "FILE.html", "write the page");
+  a.updated("--record", a->record, "FILE.json",
+            "write the record after each library; one that exists is continued");
   a.list("--only", a->only, "NAME", "measure this library alone, repeatable");
   a.text("--adapters", a->adapters, "FILE.json", "list of adapters; default: the one that the build wrote");
   a.number("--cases", a->options.cases, 1, 100000000, "cases of each law and scalar");

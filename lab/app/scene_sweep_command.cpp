@@ -7,6 +7,7 @@
 #include <results/scenes.hpp>
 #include <scenes/stated_truth.hpp>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
@@ -52,6 +53,7 @@ std::vector<Benchmark> scenes_of(const std::vector<std::string>& files,
     std::vector<std::string> warnings;
     const scene::Scene scene = loadScene(file, &warnings, outside);
     print_warnings(warnings);
+    for (const std::string& named : scene.files) keep_files(named, "a file that a scene names");
     stated_truth(scene);
     try {
       scenes.push_back(benchmark_of(scene));
@@ -223,6 +225,7 @@ SceneSweepResult swept(const Flags& f) {
   SceneSweepOptions options = options_of(f);
   options.stop = &stop_requested;
   const std::vector<Benchmark> scenes = scenes_of(f.files, f.outside);
+  if (!f.json.empty()) check_writable(f.json);
   stop_on_signals();
   Progress progress("scene sweep");
   options.progress = [&](double share, const std::string& what) { progress.show(share, what); };

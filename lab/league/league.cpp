@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/markdown.hpp>
 #include <support/read_json.hpp>
 #include <support/text.hpp>
@@ -92,14 +93,18 @@ class RecordCheck {
 
  private:
   void cell(const json& c, const std::string& library) const {
-    texts(c, "a cell of " + library, {"operation", "scalar", "grade"});
+    texts(c, "a cell of " + library, {"operation"});
     const std::string name = fmt::format("{} of {}", printable(c["operation"]), library);
     lists(c, name, {"bands"}), numbers(c, name, {"ns"}), counts(c, name, {"cases"}),
-        member(c, name, "worst_eps");
+        error(c, name, "worst_eps");
+    words(c, name, "grade", {"A", "B", "C", "D", "F"}), words(c, name, "scalar", {"float", "double"});
     need(c, name, "failure", "object", [](const json& x) { return x.is_object() || x.is_null(); });
     for (const json& band : c["bands"])
-      texts(band, name, {"axis", "band"}), numbers(band, name, {"low", "high"}), counts(band, name, {"bad"}),
-          member(band, name, "eps");
+      texts(band, name, {"band"}), words(band, name, "axis", {"theta", "pi_minus_theta", "none"}),
+          numbers(band, name, {"low", "high"}), counts(band, name, {"bad"}), error(band, name, "eps");
+    if (c.contains("replay"))
+      need(c, name, "replay", "line of liecheck replay",
+           [](const json& x) { return x.is_string() && (x == "" || is_replay(x)); });
     if (const json& failure = c["failure"]; failure.is_object())
       texts(failure, name, {"what", "where", "guess", "text"}), counts(failure, name, {"failed", "cases"}),
           failure.contains("because") ? texts(failure, name, {"because"}) : void();
@@ -118,8 +123,14 @@ class RecordCheck {
   void lists(const json& of, const std::string& where, Names names) const {
     for (const char* n : names) need(of, where, n, "list", [](const json& x) { return x.is_array(); });
   }
-  void member(const json& of, const std::string& where, const char* name) const {
-    need(of, where, name, "member", [](const json&) { return true; });
+  void words(const json& of, const std::string& where, const char* name,
+             const std::vector<json>& known) const {
+    need(of, where, name, "known word", [&](const json& x) { return std::ranges::count(known, x) == 1; });
+  }
+  /// An infinite error is the text "inf" or, in an earlier record, null.
+  void error(const json& of, const std::string& where, const char* name) const {
+    need(of, where, name, "error",
+         [](const json& x) { return x.is_null() || x == "inf" || (x.is_number() && x.get<double>() >= 0); });
   }
   void need(const json& of, const std::string& where, const char* name, const char* kind,
             const auto& is_right) const {
@@ -150,6 +161,8 @@ std::vector<Entry> read_roster(const std::string& file) {
       all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
                      e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
                      e.value("limits", "")});
+      for (const std::string& named : {all.back().adapter, all.back().robot, all.back().limits})
+        keep_files(named, "a file that the list of adapters names");
     }
   });
   return all;

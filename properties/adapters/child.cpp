@@ -160,7 +160,9 @@ std::string Child::line(const std::string& due) {
       buffer_.erase(0, end + 1);
       return text;
     }
-    if (buffer_.size() > longest_line) fail(fmt::format("wrote {} where {} is due", quoted(buffer_), due));
+    if (buffer_.size() > longest_line)
+      fail(fmt::format("wrote {} where {} is due: a line has at most {} bytes", quoted(buffer_), due,
+                       longest_line));
     read_some(fmt::format("wrote {} in {:g} s where {} is due", buffer_.empty() ? "nothing" : quoted(buffer_),
                           seconds(), due));
   }

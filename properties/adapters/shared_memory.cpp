@@ -11,8 +11,11 @@
 
 namespace liecheck::properties::adapters {
 
-SharedMemory::SharedMemory() : file_(memfd_create("liecheck", MFD_CLOEXEC)) {
-  if (file_ >= 0 && ftruncate(file_, sizeof(Exchange))) close(file_), file_ = -1;
+SharedMemory::SharedMemory() : file_(memfd_create("liecheck", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
+  // Sealed, because a library that cuts it off would end both processes by SIGBUS.
+  if (file_ >= 0 && (ftruncate(file_, sizeof(Exchange)) ||
+                     fcntl(file_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL)))
+    close(file_), file_ = -1;
   map("new shared memory");
   new (exchange_) Exchange;
 }

@@ -4,6 +4,7 @@
 #include <adapters/subjects.hpp>
 #include <app/command.hpp>
 #include <stdexcept>
+#include <support/progress.hpp>
 #include <support/say.hpp>
 
 namespace liecheck::properties {
@@ -15,6 +16,7 @@ struct AdapterCheckFlags {
 };
 
 int check(const AdapterCheckFlags& f) try {
+  const Steps probed("probing " + f.adapter);
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
   if (const std::string why = adapters::complaint_of_name(d.name); !why.empty())

@@ -307,7 +307,6 @@ int run(const CampaignFlags& f) {
     selection.properties = laws_of(rules_named(f.rules), selection.properties);
   }
   const Robot robot = f.cases.robot.read();
-  if (!f.badge.empty()) check_writable(f.badge);
   const Differences differ =
       f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
   if (select(selection, robot).empty())
@@ -351,7 +350,7 @@ void add_flags(CommandWith<CampaignFlags>& a, const std::string& typed_line) {
   a.toggle("--all", a->all, "print every finding, each failure in full, and shorten nothing");
   a.text("--rules", a->rules, "VERSION",
          "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
-  a.text("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
+  a.output("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
 }
 
 /// The campaign of one adapter, and a page of its record.

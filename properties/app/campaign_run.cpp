@@ -96,8 +96,8 @@ std::vector<Flag> CaseFlags::add(Arguments& a) {
 }
 
 void StoreFlags::add(Arguments& a) {
-  const Flag file = a.text("--store", store, "FILE",
-                           "keep all results in FILE (SQLite), so that the campaign can be continued");
+  const Flag file = a.updated("--store", store, "FILE",
+                              "keep all results in FILE (SQLite), so that the campaign can be continued");
   a.toggle("--resume", resume, "continue the campaign in the store").needs(file);
   a.text("--shard", shard, "I/N", "run only part I of N; 'liecheck merge' joins the parts");
 }

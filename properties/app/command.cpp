@@ -13,8 +13,10 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
+#include <optional>
 #include <support/files.hpp>
 #include <support/json.hpp>
+#include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -60,19 +62,22 @@ Robot RobotFlags::read() const {
   return robot;
 }
 
-void SelectionFlags::add(Arguments& a) {
-  a.list("--subject", subjects, "NAME",
-         "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default liecheck");
-  adapters.add(a);
-  add_laws(a);
+std::vector<Flag> SelectionFlags::add(Arguments& a) {
+  const Flag subject =
+      a.list("--subject", subjects, "NAME",
+             "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default liecheck");
+  std::vector<Flag> all{subject, adapters.add(a)};
+  for (const Flag& flag : add_laws(a)) all.push_back(flag);
+  return all;
 }
 
-void SelectionFlags::add_laws(Arguments& a) {
-  a.list("--property", properties, "NAME",
-         "a law, as 'liecheck list' names it, repeatable; default every one");
-  a.list("--scalar", scalars, "SCALAR", "float or double, repeatable; default both");
-  limits.add(a);
-  a.json(json, "write the record to FILE");
+std::vector<Flag> SelectionFlags::add_laws(Arguments& a) {
+  std::vector<Flag> all{a.list("--property", properties, "NAME",
+                               "a law, as 'liecheck list' names it, repeatable; default every one"),
+                        a.list("--scalar", scalars, "SCALAR", "float or double, repeatable; default both")};
+  for (const Flag& flag : limits.add(a)) all.push_back(flag);
+  all.push_back(a.json(json, "write the record to FILE"));
+  return all;
 }
 
 Flag AdapterFlags::add(Arguments& a) {
@@ -91,7 +96,9 @@ namespace {
 /// Adds what differs in one adapter, and withholds the operations that it concerns.
 void withhold(const std::string& text, bool quiet, Differences& all) try {
   std::vector<std::string> unexplained, withheld;
+  std::optional<Steps> probed(std::in_place, "probing " + text);
   const adapters::Checked checked = adapters::check(*adapters::start(text));
+  probed.reset();
   for (const conventions::Finding& found : checked.findings) {
     if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
     if (!found.usual)

@@ -84,8 +84,15 @@ class Arguments {
   Flag jobs(unsigned& target);
   /// --read-outside, of the commands that read scenes.
   Flag outside(std::vector<std::string>& target);
-  /// --json. Before the command runs, throws if its file cannot be written.
-  Flag json(std::string& target, const std::string& help);
+  /// A file that the command writes. Before it runs, throws if the file cannot be written, or is one that another argument
+  /// names. From then on, no file that is no output is replaced.
+  Flag output(const std::string& names, std::string& target, const std::string& value,
+              const std::string& help);
+  /// A file that the command may read and write, such as a store.
+  Flag updated(const std::string& names, std::string& target, const std::string& value,
+               const std::string& help);
+  /// --json, an output.
+  Flag json(std::string& target, const std::string& help) { return output("--json", target, "FILE", help); }
 
   /// Returns the command, after its flags were added.
   Command command(std::function<int()> run) const;
@@ -97,7 +104,7 @@ class Arguments {
                     const std::function<void(double)>& set);
 
   CLI::App& command_;
-  const std::string* json_ = nullptr;
+  std::vector<const CLI::Option*> outputs_, updated_;
 };
 
 /// The arguments of a command with flags, which live as long as the command.
@@ -167,9 +174,10 @@ struct SelectionFlags {
   LimitsFlags limits;
   std::string json;
 
-  void add(Arguments& arguments);
+  /// Adds the flags and returns them.
+  std::vector<Flag> add(Arguments& arguments);
   /// All but --subject and --adapter.
-  void add_laws(Arguments& arguments);
+  std::vector<Flag> add_laws(Arguments& arguments);
   /// Starts the adapters. By default their subjects, or liecheck, in float and double; the subject "all" means
   /// all subjects.
   Selection selection() const;

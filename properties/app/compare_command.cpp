@@ -76,8 +76,6 @@ void print_changes(const std::vector<Change>& changes) {
 
 int run(const CompareFlags& f) {
   if (f.rules) return compare_rules(f);
-  for (const std::string& file : {f.markdown, f.picture})
-    if (!file.empty()) check_writable(file);
   if (!f.cost.empty() && f.cost.size() != 2)
     throw std::invalid_argument("--cost: give it twice, for the times of A and for those of B");
   std::optional<TimeChanges> times;  // they never decide the verdict: a busy machine is no fault of the code
@@ -118,10 +116,10 @@ Command compare_command(CLI::App& program) {
                               "anything did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
-  a.text("--markdown", a->markdown, "FILE",
-         "also write what got worse and better as Markdown, for a comment on a pull request");
-  a.text("--picture", a->picture, "FILE.svg",
-         "also draw what got worse and better; the Markdown shows the picture by this name");
+  a.output("--markdown", a->markdown, "FILE",
+           "also write what got worse and better as Markdown, for a comment on a pull request");
+  a.output("--picture", a->picture, "FILE.svg",
+           "also draw what got worse and better; the Markdown shows the picture by this name");
   a.toggle("--strict", a->strict,
            "every difference beyond a rounding is worse or better, however far from its limit");
   a.list("--cost", a->cost, "FILE",

@@ -14,8 +14,6 @@ struct ExportFlags {
 };
 
 int run(const ExportFlags& f) {
-  if (same_file(stored_file(f.store), f.out))
-    throw std::invalid_argument("--out " + f.out + ": is the store itself: give it another name");
   const std::string text = export_text(load_campaign(f.store));
   if (!f.out.empty())
     write_whole(f.out, text);
@@ -32,7 +30,7 @@ Command export_command(CLI::App& program) {
       "print a store as text. It depends on the results alone, not on stops and merges. "
       "Exit code 0; 2 for bad input");
   a.text("STORE", a->store, "", "a store, or STORE@N for its Nth campaign").required();
-  a.text("--out", a->out, "FILE", "write to FILE instead of the standard output");
+  a.output("--out", a->out, "FILE", "write to FILE instead of the standard output");
   return a.runs(run);
 }
 

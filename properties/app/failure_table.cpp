@@ -7,6 +7,7 @@
 #include <failures/description.hpp>
 #include <failures/findings.hpp>
 #include <set>
+#include <support/progress.hpp>
 #include <support/say.hpp>
 #include <support/terminal.hpp>
 #include <support/text.hpp>
@@ -56,6 +57,7 @@ void print_in_full(const CampaignResult& r, const FailedBlock& f) {
 }  // namespace
 
 ToldFindings told_findings(const CampaignResult& r, const std::vector<HardRow>& hard_cases, bool all) {
+  const Steps shown("findings");
   ToldFindings told{failed_blocks(r), {}, {}};
   told.findings = findings_of(r, told.failed, hard_cases);
   for (const Finding& f : told.findings)

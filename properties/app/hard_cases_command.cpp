@@ -241,11 +241,13 @@ Command hard_cases_command(CLI::App& program) {
       "run every hard case, and print a verdict on each. Exit code 0 if none failed; 1 if "
       "any did; 2 for bad input; 3 if "
       "stopped, or if a case has no verdict");
-  a->selection.add(a);
+  std::vector<Flag> others = a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
-  a.text("--share", a->share, "DIR",
-         "instead, write the cases with their exact results to JSON files that other programs read");
-  a.jobs(a->jobs);
+  const Flag share =
+      a.text("--share", a->share, "DIR",
+             "instead, write the cases with their exact results to JSON files that other programs read");
+  others.push_back(a.jobs(a->jobs));
+  for (const Flag& other : others) share.excludes(other);
   return a.runs(run);
 }
 

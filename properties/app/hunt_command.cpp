@@ -255,7 +255,7 @@ Command hunt_command(CLI::App& program) {
                "stop after N measurements instead of a time: the same search on every machine");
   a.duration("--for", o.seconds, "stop after this time: 30s, 5m, 1h; default 30s").excludes(evaluations);
   a.toggle("--versus-random", a->versus_random, "also measure as many uniformly random inputs, and compare");
-  a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
+  a.updated("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   a->robot.add(a);
   a->adapters.add(a);
   a->limits.add(a);

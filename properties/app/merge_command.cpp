@@ -48,7 +48,7 @@ Command merge_command(CLI::App& program) {
       program, "merge",
       "merge the shards of a campaign; FILE@N is campaign N of a store. Exit code 0 if it has "
       "every case and verdict; 2 for bad input; 3 if not");
-  a.text("OUT", a->out, "", "the store to write; its other campaigns stay").required();
+  a.updated("OUT", a->out, "", "the store to write; its other campaigns stay").required();
   a.list("IN", a->in, "", "the shards' stores, in any order").required();
   a.toggle("--partial", a->partial, "allow missing cases: then OUT is unfinished, and --resume runs them");
   return a.runs(run);

@@ -54,16 +54,32 @@ Flag named(CLI::Option* option, const std::string& value) {
   return Flag(value.empty() ? option : option->type_name(value)->check(empty_error, ""));
 }
 
-/// Throws std::invalid_argument if the record would replace a file that another argument names.
-void check_record(const CLI::App& command, const std::string& record) {
-  for (const CLI::Option* o : command.get_options())
-    if (const std::string type = o->get_type_name();
-        o->get_name() != "--json" && (type == "TEXT" || type == "FILE" || type == "URDF" || type == "SCENE"))
-      for (const std::string& file : o->results())
-        if (same_file(file, record))
-          throw std::invalid_argument(fmt::format(
-              "--json {}: would replace the file of {}: give it another name", record, o->get_name()));
-  check_writable(record);
+using Options = std::vector<const CLI::Option*>;
+
+bool names_files(const CLI::Option& o) {
+  const std::string type = o.get_type_name();
+  return type == "TEXT" || type == "URDF" || type == "SCENE" || type == "ADAPTER" || type.starts_with("FILE");
+}
+
+/// Throws std::invalid_argument if an output would replace a file that another argument names. Keeps the files of all
+/// arguments that the command only reads.
+void check_files(const CLI::App& command, const Options& outputs, const Options& updated) {
+  for (const CLI::Option* o : command.get_options()) {
+    if (!names_files(*o)) continue;
+    for (const std::string& argument : o->results()) {
+      for (const CLI::Option* output : outputs)
+        for (const std::string& written : output->results())
+          for (const std::string& file : files_named(argument))
+            if (output != o && same_file(file, written))
+              throw std::invalid_argument(
+                  fmt::format("{} {}: would replace the file of {}: give it another name", output->get_name(),
+                              written, o->get_name()));
+      if (!std::ranges::count(outputs, o) && !std::ranges::count(updated, o))
+        keep_files(argument, "the file of " + o->get_name());
+    }
+  }
+  for (const CLI::Option* output : outputs)
+    for (const std::string& file : output->results()) check_writable(file);
 }
 
 std::string long_name(const std::string& names) {
@@ -116,6 +132,10 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
   const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
   const auto rest = at->remaining();
+  if (at != &program && dynamic_cast<const CLI::RequiredError*>(&e) && !rest.empty() &&
+      rest[0].starts_with('-'))
+    return fmt::format("{}: '{}' is none of its options; a file of this name is ./{}", at->get_name(),
+                       rest[0], rest[0]);
   if (commands.empty() || (rest.empty() && (at == &program || at->get_require_subcommand_min() == 0)))
     return given_twice(e);
   std::vector<std::string> known;
@@ -212,14 +232,23 @@ Flag Arguments::outside(std::vector<std::string>& target) {
               "also let the scene name files in this folder, beside those in its own, repeatable");
 }
 
-Flag Arguments::json(std::string& target, const std::string& help) {
-  json_ = &target;
-  return text("--json", target, "FILE", help);
+Flag Arguments::output(const std::string& names, std::string& target, const std::string& value,
+                       const std::string& help) {
+  const Flag flag = text(names, target, value, help);
+  outputs_.push_back(command_.get_option(names));
+  return flag;
+}
+
+Flag Arguments::updated(const std::string& names, std::string& target, const std::string& value,
+                        const std::string& help) {
+  const Flag flag = text(names, target, value, help);
+  updated_.push_back(command_.get_option(names));
+  return flag;
 }
 
 Command Arguments::command(std::function<int()> run) const {
-  return {&command_, [&command = command_, json = json_, run = std::move(run)] {
-            if (json && !json->empty()) check_record(command, *json);
+  return {&command_, [&command = command_, outputs = outputs_, updated = updated_, run = std::move(run)] {
+            check_files(command, outputs, updated);
             return run();
           }};
 }

@@ -71,7 +71,6 @@ std::string section(const char* name, const std::string& lines) {
 int run(const PromiseFlags& f) {
   if (std::filesystem::exists(f.out))
     throw std::invalid_argument(fmt::format("--out: '{}' exists: give another name, or remove it", f.out));
-  check_writable(f.out);
   CampaignOptions o = f.cases.options;
   const std::string subject = subject_of(f);
   o.selection = {{subject}, {}, f.scalars};
@@ -144,7 +143,7 @@ Command promise_command(CLI::App& program) {
   a.list("--scalar", a->scalars, "SCALAR", "float or double, repeatable; default all it has");
   a.text("--limits", a->domain, "FILE", "a limits file, of which the domain counts");
   a->cases.add(a);
-  a.text("--out", a->out, "FILE", "the file to write, which must not exist").required();
+  a.output("--out", a->out, "FILE", "the file to write, which must not exist").required();
   return a.runs(run);
 }
 

@@ -63,6 +63,8 @@ int run_main(int argc, char** argv, const Program& program) {
     const int code = run_program(program, argc, argv, command_line(argc, argv));
     adapters::say_counts();
     return finish(code);
+  } catch (const std::bad_alloc&) {
+    return refuse("out of memory");
   } catch (const std::exception& e) {
     return std::ferror(stdout) ? finish(bad_input) : refuse(e.what());
   } catch (const GivenUp&) {  // an adapter gave no answer before the end

@@ -151,12 +151,8 @@ void check_own_output(const scene::Scene& scene, const char* key, const std::str
     refuse("exists, and no run of this scene as it is now wrote it: remove it, or");
 }
 
-/// Throws std::invalid_argument if two of the four files are the same.
-void check_apart(const std::string& scene, const std::string& csv, const std::string& json,
-                 const std::string& checkpoint) {
-  for (const std::string& output : {csv, json, checkpoint})
-    if (same_file(scene, output))
-      throw std::invalid_argument(output + " is the scene itself: give the output another name");
+/// Throws std::invalid_argument if two of the three files are the same.
+void check_apart(const std::string& csv, const std::string& json, const std::string& checkpoint) {
   if (same_file(csv, json))
     throw std::invalid_argument(csv + " would be the CSV and the JSON: give one another name");
   for (const std::string& output : {csv, json})
@@ -175,13 +171,14 @@ int run(const SceneRunFlags& flags) {
   std::vector<std::string> warnings;
   scene::Scene scene = loadScene(flags.file, &warnings, flags.outside);
   print_warnings(warnings);
+  for (const std::string& file : scene.files) keep_files(file, "a file that the scene names");
   if (flags.csv.empty() && !scene.csv.empty())
     check_own_output(scene, "csv", scene.csv, head_of(scene::columnsOf(scene)));
   if (flags.json.empty())
     check_own_output(scene, "json", scene.json, "{\n \"columns\": [\n  {\n   \"name\": \"t\",");
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
-  check_apart(flags.file, scene.csv, scene.json, flags.checkpoint);
+  check_apart(scene.csv, scene.json, flags.checkpoint);
   const std::optional<Truth> truth = stated_truth(scene);
   std::optional<scene::SavedRun> from;
   if (!flags.resume.empty()) from = saved_run(flags.resume, scene);
@@ -256,12 +253,12 @@ Command scene_run_command(CLI::App& scene) {
       "quantity changes; 2 for bad input; 3 if it diverged or was stopped, with the samples until then "
       "saved");
   a.text("FILE", a->file, "SCENE", "the scene").required();
-  a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
-  a.text(
+  a.output("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
+  a.updated(
       "--checkpoint", a->checkpoint, "FILE",
       "save the run to FILE about once a second and at its end or stop; not with quaternion_norm or flips");
-  a.text("--resume", a->resume, "FILE",
-         "continue the run of the checkpoint FILE, to the same bits as the whole run");
+  a.updated("--resume", a->resume, "FILE",
+            "continue the run of the checkpoint FILE, to the same bits as the whole run");
   a.outside(a->outside);
   a.toggle("--no-estimate", a->no_estimate, "leave out the estimate of the error");
   a.json(a->json, "write samples and figures to FILE, not to the scene's file");

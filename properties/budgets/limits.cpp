@@ -228,7 +228,7 @@ SubjectLimits parse_limits(const std::string& file, const std::string& text) {
 
 SubjectLimits read_limits(const std::string& path) {
   constexpr std::size_t most_bytes = 4 << 20;  // every limit of every operation takes less than a tenth of it
-  return parse_limits(path, read_whole(path, most_bytes));
+  return parse_limits(path, without_mark(read_whole(path, most_bytes)));
 }
 
 }  // namespace liecheck::properties

@@ -352,6 +352,7 @@ std::size_t Series::band_of_input(const std::vector<double>& x, std::size_t outp
 }
 
 void Series::record_thrown(const std::exception& thrown, const std::vector<double>& x, Judge& judge) const {
+  if (dynamic_cast<const std::bad_alloc*>(&thrown)) throw;  // says nothing about the subject
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
   if (profile != Profile::ours && (!failed || failed->outcome == Outcome::refused) &&
       norm_is_far_from_one(fields, x))

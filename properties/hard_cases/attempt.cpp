@@ -106,6 +106,8 @@ Trial attempt(const Series& series, const CaseId& address) {
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
       for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved, j.failed = false;
     checking.judge(trial.judged);
+  } catch (const std::bad_alloc&) {
+    throw;  // says nothing about the subject
   } catch (const std::exception& e) {
     trial.refusal = e.what();
     balls.judged.clear();

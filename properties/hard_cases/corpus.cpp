@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <support/embedded.hpp>
 #include <support/json.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -143,7 +144,7 @@ std::vector<HardCase> read_corpus(const std::string& path) {
   std::ostringstream text;
   if (!(text << file.rdbuf()) || text.str().empty())
     throw std::invalid_argument(path + ": empty or not readable");
-  return parse_corpus(path, text.str());
+  return parse_corpus(path, without_mark(text.str()));
 }
 
 const std::vector<HardCase>& built_in_corpus() {

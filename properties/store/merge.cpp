@@ -115,6 +115,11 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
       const int n = old->campaigns();
       const StoredCampaign last = n > 0 ? old->load(n) : StoredCampaign{};
       replace = n > 0 && last.spec.differences(merged.spec, false).empty();
+      if (!replace && last.spec.cases > 0 && !last.complete())
+        refuse(
+            fmt::format("{}: holds a different campaign, which is unfinished or still runs: finish it with "
+                        "--resume, or merge into another file",
+                        out));
       if (replace)
         for (std::size_t i = 0; i < merged.series.size(); ++i)
           for (const auto& [from, to] : last.series[i].tally.done)
@@ -124,6 +129,11 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
       old->copy_to(part.name());
     }
     Store(part.name(), Store::Open::create).write(merged, replace, others);
+  } catch (const std::runtime_error& e) {
+    fs::remove(part.name() + "-journal", error);
+    const std::string why = e.what();  // names the file that would have taken the place of `out`
+    if (!why.starts_with(part.name())) throw;
+    throw std::runtime_error(out + why.substr(part.name().size()));
   } catch (...) {
     fs::remove(part.name() + "-journal", error);
     throw;

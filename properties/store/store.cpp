@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::int64_t application_id = 0x6c696563;  // "liec"
 constexpr std::int64_t schema_version = 5;           // which sealed done and counterexamples
+constexpr int most_bytes = 65 << 20;                 // of a row: its URDF has at most 64 MB
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
@@ -73,6 +74,8 @@ std::string reason_of(const SQLite::Exception& error, int system) {
     case SQLITE_CORRUPT:
     case -1:  // from SQLiteCpp: a query gave fewer columns or rows than the schema has
       return "corrupt: the database is damaged";
+    case SQLITE_TOOBIG:
+      return fmt::format("corrupt: a value is longer than {} bytes", most_bytes);
     case SQLITE_CANTOPEN:
       return "cannot be opened" + why;
     case SQLITE_IOERR:
@@ -132,13 +135,21 @@ SQLite::Database open(const std::string& path, bool create) {
 
 }  // namespace
 
-Store::Store(const std::string& path, Open how) : path_(path), database_(open(path, how == Open::create)) {
-  check_format(how);
+Store::Store(const std::string& path, Open how)
+    : path_(path), is_new_(::access(path.c_str(), F_OK) != 0), database_(open(path, how == Open::create)) {
+  try {
+    check_format(how);
+  } catch (...) {
+    std::error_code error;
+    if (is_new_ && std::filesystem::file_size(path, error) == 0) std::filesystem::remove(path, error);
+    throw;
+  }
 }
 
 void Store::check_format(Open how) try {
   for (const int part : {SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW})
     sqlite3_db_config(database_.getHandle(), part, 0, nullptr);
+  sqlite3_limit(database_.getHandle(), SQLITE_LIMIT_LENGTH, most_bytes);
   database_.exec("PRAGMA trusted_schema = OFF");
   database_.exec("PRAGMA synchronous = FULL");  // a committed transaction survives the loss of power, too
   if (how == Open::create && empty()) create_tables();

@@ -66,6 +66,7 @@ class Store {
   [[noreturn]] void fail(const SQLite::Exception& error) const;
 
   std::string path_;
+  bool is_new_;  ///< the file was not there before
   SQLite::Database database_;
   std::unique_ptr<SQLite::Database> reserved_;  ///< holds the lock of reserve()
   std::unique_ptr<SQLite::Statement> cells_;

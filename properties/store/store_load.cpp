@@ -80,6 +80,21 @@ std::string changed_row(const char* table) {
   return fmt::format("a row of its table {} was changed", table);
 }
 
+/// "" or what is wrong with a row: SQLite keeps any value in any column. NaN is stored as null.
+std::string wrong_value(const SQLite::Statement& row, const char* table) {
+  for (int i = 0; i < row.getColumnCount(); ++i) {
+    const SQLite::Column value = row.getColumn(i);
+    const char kind = row.getColumnDeclaredType(i)[0];
+    const bool right = kind == 'I'   ? value.isInteger()
+                       : kind == 'R' ? value.isFloat() || value.isNull()
+                                     : value.isText();
+    if (!right)
+      return fmt::format("the column {} of its table {} holds a value of another type than {}",
+                         value.getName(), table, row.getColumnDeclaredType(i));
+  }
+  return "";
+}
+
 /// Reads one campaign.
 class Loader {
  public:
@@ -113,6 +128,7 @@ class Loader {
     if (!row.executeStep()) return false;
     rows_.next();
     if (!has_true_seal(row)) check(false, changed_row(table_).c_str());
+    if (const std::string wrong = wrong_value(row, table_); !wrong.empty()) check(false, wrong.c_str());
     return true;
   }
   StoredSeries& series_at(const SQLite::Statement& row) {
@@ -163,6 +179,7 @@ class Loader {
       s.tally.fast = count(row, 11), s.tally.checked = count(row, 12);
       std::istringstream disagreed(text(row, 13));
       for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
+      check(disagreed.eof(), "a list of cases is malformed");
       check(s.tally.coverage.parse(text(row, 14)), "a coverage is malformed");
       s.profile = text(row, 15);
       check(profile_named(s.profile).has_value(), "an unknown profile");
@@ -245,6 +262,7 @@ std::vector<Counterexample> Store::counterexamples() try {
     while (sealed.executeStep()) {
       rows.next();
       if (!has_true_seal(sealed)) fail("corrupt: " + changed_row(table));
+      if (const std::string wrong = wrong_value(sealed, table); !wrong.empty()) fail("corrupt: " + wrong);
     }
   }
   // Before the first row, all are sorted.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/robots.hpp>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -72,6 +73,7 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
   o.selection.limits = c.spec.limits;
   std::vector<std::unique_ptr<Series>> all;
   try {
+    robot_of(c.spec.robot.urdf, "its robot", c.spec.robot.fixed);
     all = select(selection_of(c), c.spec.robot);
   } catch (const std::exception& e) {
     refuse(fmt::format("its robot, subjects or limits: {}", e.what()));

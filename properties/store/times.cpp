@@ -26,7 +26,9 @@ Times times_in(const std::string& file) {
   const json record = read_json(file);
   Counted rows("times of " + file);
   members_of(file, "record of 'liecheck cost --json'", [&] {
-    for (const json& row : record.at("cost").at("rows")) {
+    const json& cost =
+        record.contains("cost") ? record.at("cost") : record;  // of a report, or of 'cost --json'
+    for (const json& row : cost.at("rows")) {
       rows.next();
       for (const json& set : row.at("sets"))
         if (const json& t = set.at("latency"); !t.is_null())

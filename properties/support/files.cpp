@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -135,6 +136,7 @@ void Replacement::take_place(Place place) {
 }
 
 void write_whole(const fs::path& file, std::string_view text) {
+  check_not_kept(file);
   const Target target = target_of(file);
   std::optional<Replacement> whole;
   if (!target.in_place) whole.emplace(file);
@@ -153,7 +155,36 @@ bool same_file(const std::string& a, const std::string& b) {
   return !error && first == fs::weakly_canonical(b, error) && !error;
 }
 
+std::vector<std::string> files_named(const std::string& argument) {
+  std::vector<std::string> all{argument};
+  if (std::error_code error; fs::exists(argument, error)) return all;
+  all.push_back(argument.substr(0, argument.rfind('@')));
+  constexpr const char* between = " \t'\"";
+  for (std::size_t at = 0; (at = argument.find_first_not_of(between, at)) != argument.npos;) {
+    const std::size_t end = std::min(argument.find_first_of(between, at), argument.size());
+    all.push_back(argument.substr(at, end - at));
+    at = end;
+  }
+  return all;
+}
+
+namespace {
+std::vector<std::pair<std::string, std::string>> kept;  // files, and what stands for them
+}
+
+void keep_files(const std::string& argument, const std::string& what) {
+  for (const std::string& file : files_named(argument)) kept.emplace_back(file, what);
+}
+
+void check_not_kept(const fs::path& file) {
+  for (const auto& [other, what] : kept)
+    if (same_file(other, file.string()))
+      throw std::invalid_argument(
+          fmt::format("{}: would replace {}: give it another name", file.string(), what));
+}
+
 void check_writable(const fs::path& file) {
+  check_not_kept(file);
   const Target target = target_of(file);
   if (!target.in_place)
     Replacement{file};

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <support/stop.hpp>
+#include <vector>
 
 namespace liecheck::properties {
 
@@ -41,6 +42,17 @@ void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// Whether both names mean one file that can be replaced, or will once it exists. "" names no file.
 bool same_file(const std::string& a, const std::string& b);
+
+/// The files that an argument may name: its text or, if there is no such file, the store of FILE@N and each word of an
+/// adapter's command.
+std::vector<std::string> files_named(const std::string& argument);
+
+/// From now on, write_whole(), check_writable() and file_in() refuse to replace the files that this argument names. `what`
+/// stands for them in the message, as in "the file of --limits".
+void keep_files(const std::string& argument, const std::string& what);
+
+/// Throws std::invalid_argument if a file of keep_files() has this name or a link to it.
+void check_not_kept(const std::filesystem::path& file);
 
 /// Throws what write_whole would throw, without writing. Called before long work, whose result would be lost.
 void check_writable(const std::filesystem::path& file);

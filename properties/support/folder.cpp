@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <stdexcept>
+#include <support/files.hpp>
 
 namespace liecheck::properties {
 
@@ -31,6 +32,7 @@ fs::path file_in(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::is_symlink(file, error) && !is_inside(folder, file))
     throw std::runtime_error(fmt::format("{}: is a link out of the folder: remove it", file.string()));
+  check_not_kept(file);
   return file;
 }
 

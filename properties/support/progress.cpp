@@ -66,11 +66,19 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
   std::fflush(stderr);
 }
 
-Steps::Steps(std::string what, std::size_t all) : progress_(std::move(what), isatty(2) == 0), all_(all) {}
+Steps::Steps(std::string what, std::size_t all)
+    : progress_(std::move(what), all == 0 && isatty(2) != 0),
+      all_(all),
+      shows_([this](const std::stop_token& end) {
+        std::unique_lock lock(mutex_);
+        while (
+            !ended_.wait_for(lock, end, std::chrono::milliseconds(200), [&] { return end.stop_requested(); }))
+          progress_.show(all_ == 0 ? -1 : static_cast<double>(done_) / static_cast<double>(all_), piece_);
+      }) {}
 
 void Steps::done(const std::string& piece) {
   const std::lock_guard lock(mutex_);
-  progress_.show(static_cast<double>(++done_) / static_cast<double>(all_), piece);
+  ++done_, piece_ = piece;
 }
 
 Counted::Counted(std::string what, std::string pieces, std::size_t every)

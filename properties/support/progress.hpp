@@ -2,9 +2,11 @@
 // Shows the progress of long work on standard error.
 
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace liecheck::properties {
 
@@ -33,16 +35,20 @@ class Progress {
   double shown_ = 0;
 };
 
-/// Shows on a terminal how many of equal pieces of work, of several threads, are done; elsewhere nothing.
+/// Shows how many of equal pieces of work, of several threads, are done, from a thread of its own, so that a piece that
+/// takes long is no silence. Without a number of pieces it shows, off a terminal, that the work goes on.
 class Steps {
  public:
-  Steps(std::string what, std::size_t all);
+  explicit Steps(std::string what, std::size_t all = 0);
   void done(const std::string& piece);
 
  private:
   Progress progress_;
   std::mutex mutex_;
+  std::string piece_;
   std::size_t done_ = 0, all_;
+  std::condition_variable_any ended_;
+  std::jthread shows_;  ///< the last member: it ends before what it reads
 };
 
 /// Shows how many pieces of a number that nobody knows are done, and looks at them and at signals at every `every`th. If

@@ -85,8 +85,8 @@ json json_of(const std::string& file, std::string_view text) {
 }
 
 json read_json(const std::string& file) {
-  // Seven times a record of every law, subject and hard case: 17 MB with 23 bytes for each value.
-  constexpr std::size_t most_bytes = std::size_t(1) << 27, most_values = 6'000'000;
+  // Four times a record of every law, subject and hard case: 17 MB with 23 bytes for each value.
+  constexpr std::size_t most_bytes = std::size_t(1) << 26, most_values = 3'000'000;
   const std::string text = read_whole(file, most_bytes);
   if (std::size_t(std::ranges::count_if(text, [](char c) { return c == ',' || c == '[' || c == '{'; })) >
       most_values)

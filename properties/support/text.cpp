@@ -2,9 +2,27 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <string_view>
 #include <support/json.hpp>
+#include <utility>
 
 namespace liecheck::properties {
+
+namespace {
+
+/// Whether a letter in UTF-8 is an end of a line, or a format character (Cf) that shows nothing: it may turn the direction
+/// of a line, or make two different texts look alike.
+bool is_invisible(const std::string& letter) {
+  constexpr std::pair<unsigned, unsigned> ranges[] = {
+      {0xad, 0xad},       {0x61c, 0x61c},     {0x180e, 0x180e},   {0x200b, 0x200f},
+      {0x2028, 0x202e},   {0x2060, 0x206f},   {0xfeff, 0xfeff},   {0xfff9, 0xfffb},
+      {0x13430, 0x1343f}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe007f}};
+  unsigned code = static_cast<unsigned char>(letter[0]) & (0xffU >> (letter.size() + 1));
+  for (const char c : letter.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3fU);
+  return std::ranges::any_of(ranges, [&](const auto& r) { return r.first <= code && code <= r.second; });
+}
+
+}  // namespace
 
 std::string printable(const std::string& text) {
   std::string out;
@@ -22,10 +40,7 @@ std::string printable(const std::string& text) {
       ++i;
     } else if (byte >= 0x80) {
       const std::string letter = text.substr(i, byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4);
-      // Marks that turn the direction of a line, or end it (U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069).
-      const bool turns = (letter >= "\xe2\x80\xa8" && letter <= "\xe2\x80\xae") || letter == "\xe2\x80\x8e" ||
-                         letter == "\xe2\x80\x8f" || (letter >= "\xe2\x81\xa6" && letter <= "\xe2\x81\xa9");
-      const bool whole = !turns && is_utf8(letter);
+      const bool whole = is_utf8(letter) && !is_invisible(letter);
       out += whole ? letter : fmt::format("\\x{:02x}", byte);
       if (whole) i += letter.size() - 1;
     } else {
@@ -45,6 +60,10 @@ std::string printable_lines(const std::string& text) {
   return out;
 }
 
+std::string without_mark(const std::string& text) {
+  return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
+}
+
 std::string file_name(const std::string& text) {
   constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
   std::string name = text.empty() || text[0] == '.' ? "_" + text.substr(text.empty() ? 0 : 1) : text;
@@ -53,12 +72,32 @@ std::string file_name(const std::string& text) {
   return name;
 }
 
+namespace {
+constexpr std::string_view plain_in_a_shell =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
+}
+
 std::string shell_quoted(const std::string& word) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
-  if (!word.empty() && word.find_first_not_of(plain) == word.npos) return word;
+  if (!word.empty() && word.find_first_not_of(plain_in_a_shell) == word.npos) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+bool is_replay(const std::string& text) {
+  if (!(text.starts_with("liecheck replay ") || text.starts_with("liecheck lab replay ")) ||
+      printable(text) != text)
+    return false;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\'')
+      quoted = !quoted;
+    else if (!quoted && text.compare(i, 2, "\\'") == 0)
+      ++i;
+    else if (!quoted && text[i] != ' ' && plain_in_a_shell.find(text[i]) == plain_in_a_shell.npos)
+      return false;
+  }
+  return !quoted;
 }
 
 std::string xml_escaped(const std::string& text) {
@@ -78,7 +117,7 @@ std::string csv_field(const std::string& field) {
   const bool formula =
       field.find_first_of("=+@") == 0 ||
       (field.starts_with('-') && field.find_first_not_of("0123456789abcdefpxin.+- ") != field.npos);
-  const std::string text = formula ? "'" + field : field;
+  const std::string text = printable_lines(formula ? "'" + field : field);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -34,6 +34,11 @@ void flicker(double& x) {
 }
 
 const Registered<double> subjects_with_bad_calls[] = {
+    registered("call:exhausts", op::exp6,
+               [](const V6& xi) {
+                 if (xi.size() > 0) throw std::bad_alloc();
+                 return good()[op::exp6](xi);
+               }),
     registered("call:flickers", op::exp6,
                [](const V6& xi) {
                  auto T = good()[op::exp6](xi);
@@ -130,6 +135,10 @@ TEST(CallChecks, ACallThatIsNotRepeatableFailsAndNeverMakesTheOraclesDisagree) {
   EXPECT_TRUE(r.series.at(0).tally.disagreed.empty());
   EXPECT_GE(sum(r, op::exp6, &Row::not_repeatable), 3u * 275u);  // three blocks, one case in four
   EXPECT_EQ(sum(r, op::exp6, &Row::failed), sum(r, op::exp6, &Row::not_repeatable));
+}
+
+TEST(CallChecks, AnExhaustedMemoryIsNoVerdict) {
+  EXPECT_THROW(run("call:exhausts", "exp_oracle"), std::bad_alloc);
 }
 
 TEST(CallChecks, ANaNIsTheSameAsOneOfTheOtherSign) {

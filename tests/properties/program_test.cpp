@@ -10,10 +10,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <support/text.hpp>
+#include <utility>
+#include <vector>
 
 #include "../scratch.hpp"
 
@@ -320,8 +323,54 @@ TEST_F(Program, NoRecordReplacesAnotherFileOfTheCommand) {
   EXPECT_EQ(read(dir / "r.urdf"), "<robot name='r'/>");
   EXPECT_FALSE(fs::exists(dir / "s.db"));
   EXPECT_EQ(run(quick + "--store s.db").code, 0);
-  refused("export s.db@1 --out s.db", "is the store itself");
+  refused("export s.db@1 --out s.db", "would replace the file of STORE");
   EXPECT_EQ(run("export s.db").code, 0);
+}
+
+TEST_F(Program, NoOutputReplacesWhatTheCommandReads) {
+  const std::string badge = quick + "--subject liecheck --badge ", twice = ": would replace ",
+                    scene =
+                        "robot: {urdf: plain.urdf, root: free_flyer}\neffects: [gravity]\nduration: 2 ms\n"
+                        "integrator: {name: rkmk4, step: 1 ms}\n";
+  fs::copy_file(LIECHECK_FIXTURES "/robots/quadruped.urdf", dir / "plain.urdf");
+  fs::create_symlink("plain.urdf", dir / "link");
+  fs::create_directory(dir / "page");
+  store("m.limits", "version = 1\nsubject = liecheck\n"), store("u.yaml", scene);
+  store("list.json", R"([{"name": "x", "language": "C", "adapter": "python3 a.py", "get": "", "run": ""}])");
+  store("a.py", "import sys\n");
+  fs::copy_file(LIECHECK_C_ADAPTER, dir / "r.so");
+  ASSERT_EQ(run(quick + "--subject liecheck --store s.db --json page/report.json").code, 0);
+  ASSERT_EQ(run("scene run u.yaml --checkpoint d.ck").code, 0) << read(dir / "err");
+  std::map<std::string, std::string> before;
+  for (const auto& file : fs::directory_iterator(dir))
+    if (const fs::path name = file.path().filename();
+        file.is_regular_file() && name != "out" && name != "err")
+      before[name] = read(file.path());
+  for (const auto& [arguments, of] : std::vector<std::pair<std::string, std::string>>{
+           {"compare s.db s.db --markdown s.db", "A"},
+           {"compare s.db s.db@1 --picture s.db", "A"},
+           {badge + "m.limits --limits m.limits", "--limits"},
+           {badge + "s.db --store s.db", "--store"},
+           {badge + "link --robot plain.urdf", "--robot"},
+           {badge + "plain.urdf --robot link", "--robot"},
+           {badge + "z --json z", "--json"},
+           {badge + "a.py --adapter 'python3 a.py'", "--adapter"},
+           {"test ./r.so --cases 3 --property exp_oracle --no-hard-cases --badge r.so", "ADAPTER"},
+           {"cost --adapter ./r.so --op exp3_quaternion --for 1s --json r.so", "--adapter"},
+           {"scene run u.yaml --resume d.ck --csv d.ck", "--resume"},
+           {"scene run u.yaml --csv plain.urdf", "a file that the scene names"},
+           {"scene run u.yaml --checkpoint u.yaml", "FILE"},
+           {"scene run u.yaml --checkpoint plain.urdf", "a file that the scene names"},
+           {"scene sweep u.yaml --no-peers --json plain.urdf", "a file that a scene names"},
+           {"adapter tellings --robot plain.urdf --out . --cases 1", "--robot"},
+           {"report page/report.json --out page", "RECORD"},
+           {"lab league --adapters list.json --out list.json", "--adapters"},
+           {"lab league --adapters list.json --out a.py", "a file that the list of adapters names"},
+           {"lab league --adapters list.json --record a.py", "a file that the list of adapters names"}})
+    refused(arguments, twice + (of.starts_with("a ") ? of : "the file of " + of) + ": give it another name");
+  for (const auto& [name, text] : before) EXPECT_EQ(read(dir / name), text) << name;
+  EXPECT_FALSE(fs::exists(dir / "z"));
+  EXPECT_EQ(run("scene run u.yaml --resume d.ck --checkpoint d.ck").code, 0) << read(dir / "err");
 }
 
 TEST_F(Program, AReportShowsWhatOtherCommandsMeasured) {

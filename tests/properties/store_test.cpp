@@ -206,6 +206,8 @@ TEST_F(Stores, MergeNamesMissingOverlappingAndForeignRanges) {
   EXPECT_EQ(export_text(merge({p[0], p[1], p[0], p[2]}, false)), export_text(merge(p, false)));
   merge_into(file("part"), {p[2], p[0]}, true);
   EXPECT_FALSE(load_campaign(file("part")).complete());
+  EXPECT_SAYS(error([&] { merge_into(file("part"), foreign, false); }),
+              "part: holds a different campaign, which is unfinished or still runs");
   EXPECT_EQ(text(run("part", options(), true)), text(run("whole", options())));
   EXPECT_SAYS(error([&] { merge_into(file("part"), {p[0]}, true); }), "holds cases");
 }

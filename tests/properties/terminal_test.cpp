@@ -359,6 +359,10 @@ TEST(Terminal, ALibraryThatHangsWhileItIsLoadedIsNamed) {
   EXPECT_SAYS(text, "./slow.so is loaded, and its constructors have not returned yet");
 }
 
+TEST(Terminal, ALongProbeSaysOffATerminalThatItGoesOn) {
+  EXPECT_SAYS(run("adapter check 'sleep 11'").second, "probing sleep 11: 0:10\n");
+}
+
 TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
   const std::string text = run(of_cases(20) + adapter("raise ValueError('no luck')")).second;
   const auto first =
@@ -378,7 +382,7 @@ TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
 TEST(Terminal, AComparisonOfTimesNamesThoseBeyondTheirSpread) {
   const std::string dir = liecheck::scratch() + "terminal_times/";
   shell("rm -rf " + dir + "; mkdir " + dir);
-  const auto record = [&](const char* file, double exp_ratio, double log_ratio) {
+  const auto record = [&](double exp_ratio, double log_ratio) {
     const auto row = [](const char* operation, double ratio) {
       return nlohmann::json{
           {"subject", "mylib"},
@@ -390,10 +394,10 @@ TEST(Terminal, AComparisonOfTimesNamesThoseBeyondTheirSpread) {
               {{"ns", 40 * ratio}, {"ratio", ratio}, {"low", 0.9 * ratio}, {"high", 1.1 * ratio}}}},
             {{"set", "pi"}, {"latency", nullptr}}}}};
     };
-    std::ofstream(dir + file) << nlohmann::json{
-        {"cost", {{"rows", {row("exp6", exp_ratio), row("log6", log_ratio)}}}}};
+    return nlohmann::json{{"rows", {row("exp6", exp_ratio), row("log6", log_ratio)}}};
   };
-  record("before.json", 1, 2), record("after.json", 1.5, 2.2);
+  std::ofstream(dir + "before.json") << record(1, 2);                               // as of cost --json
+  std::ofstream(dir + "after.json") << nlohmann::json{{"cost", record(1.5, 2.2)}};  // as of report
   run(of_adapter + adapter("pass") + " --store " + dir + "a");
   const auto [code, text] =
       shell("cd " + dir + "; $L compare a a --cost before.json --cost after.json --markdown m.md");
@@ -403,6 +407,12 @@ TEST(Terminal, AComparisonOfTimesNamesThoseBeyondTheirSpread) {
   const auto [shown, markdown] = shell("cat " + dir + "m.md");
   EXPECT_SAYS(markdown, "| `mylib` double `exp6` | mixed | 40 ns | 60 ns | 1.5 |\n");
   EXPECT_EQ(markdown.find("log6"), markdown.npos) << markdown;  // within its spread
+  const auto [timed, own] =
+      shell("cd " + dir +
+            "; $L cost --op exp6 --subject liecheck --scalar double --for 1s --json own "
+            ">log && $L compare a a --cost own --cost own");
+  EXPECT_EQ(timed, 0) << own;
+  EXPECT_SAYS(own, "times changed by more than their spread\nnothing is worse");
   for (const char* wrong :
        {"--cost before.json", "--cost before.json --cost a", "--cost before.json --cost none"})
     EXPECT_EQ(shell("cd " + dir + "; $L compare a a " + wrong).first, 2) << wrong;

@@ -327,6 +327,17 @@ TEST_F(Report, EscapesDataInThePage) {
   EXPECT_TRUE(has(page, "<td>{{machine}}</td>"));
 }
 
+TEST_F(Report, EscapesControlCharactersAndMarksThatTurnALine) {
+  Json r = record();
+  r["version"] = "1\x1b[2J\u202e2\u2066";
+  r["results"][0]["block"] = "b\x1b\u202e";
+  const ReportFiles files = report(r);
+  for (const fs::path& file : {files.html, files.csv, files.json})
+    for (const char* raw : {"\x1b", "\\u001b", "\u202e", "\u2066"})
+      EXPECT_FALSE(has(read(file), raw)) << file;
+  EXPECT_TRUE(has(read(files.csv), "b\\x1b\\xe2\\x80\\xae"));
+}
+
 TEST_F(Report, AnswersComeFirst) {
   const std::string page = page_of(record());
   std::size_t last = 0;

@@ -111,6 +111,15 @@ TEST_F(SavedRunText, ThatIsDamagedIsRefused) {
     EXPECT_THROW(savedRunOf(text.substr(0, size), s), std::invalid_argument) << size;
 }
 
+TEST_F(SavedRunText, OfMoreStatesThanItHasRoomForTakesNoMemory) {
+  const scene::Scene s = load();
+  scene::SavedRun run;
+  scene::run(s, {}, false, {[&](const scene::SavedRun& r) { run = r; }, nullptr, 1e9});
+  run.samples.assign(200'000, scene::SavedState());  // of 12 characters, beside states of many numbers
+  EXPECT_EQ(refusal<std::invalid_argument>([&] { savedRunOf(textOf(run), s); }),
+            "is not a whole checkpoint: a count is wrong");
+}
+
 TEST(SavedRun, IsRefusedWhereAnObserverReadsEveryStep) {
   const scene::Scene s = loadSceneText(
       "robot: {body: box, size: [1, 2, 3]}\nintegrator: {name: rkmk4, step: 10 ms}\nduration: 1 s\n"
@@ -170,6 +179,8 @@ TEST(SavedRunOfTheProgram, ThatWasChangedIsRefused) {
   EXPECT_EQ(error([](auto& run) { run.samples[2].step = 30; }),
             is + "a state has another size than the scene's");
   EXPECT_EQ(error([](auto& run) { run.samples[2].v[0] = NAN; }), is + "a number is not finite");
+  EXPECT_EQ(error([](auto& run) { run.history.push_back(NAN); }), is + "a number is not finite");
+  EXPECT_EQ(error([](auto& run) { run.largest_turn = INFINITY; }), is + "a number is not finite");
   EXPECT_EQ(error([](auto& run) { run.memory.clear(); }), is + "what its method remembers has another size");
   EXPECT_EQ(error([](auto& run) { run.memory.assign(3, 1); }),
             is + "what its method remembers has another size");

@@ -481,7 +481,7 @@ TEST(Program, ARotationBeyondPiInAStepIsAWarningUnlessTheMethodChoosesItsSteps) 
 TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
   const std::string path = written("apart.yaml", with(5, "duration: 10 ms")),
                     out = liecheck::scratch() + "apart.out";
-  expectSaid("scene run " + path + " --csv " + path, 2, {path + " is the scene itself"});
+  expectSaid("scene run " + path + " --csv " + path, 2, {path + ": would replace the file of FILE"});
   expectSaid("scene run " + path, 0);  // the scene was not overwritten
   expectSaid("scene run " + path + " --csv " + out + " --json " + out, 2,
              {"would replace the file of --csv"});

@@ -1,10 +1,15 @@
 #pragma once
-// Checks whether a text is UTF-8.
+// Checks whether a text is UTF-8, and skips its byte order mark.
 
 #include <cstddef>
 #include <string_view>
 
 namespace liecheck {
+
+/// The text without the byte order mark that some editors write before it.
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+  return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
+}
 
 /// The index of the first byte that is not valid UTF-8 (RFC 3629: no surrogates, no overlong forms), or
 /// text.size() if all are valid.

@@ -1,7 +1,9 @@
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene/setup.hpp>
+#include <sstream>
 
 namespace liecheck::scene {
 namespace {
@@ -40,7 +42,13 @@ class Runner {
   Runner(Setup<Sys>& setup, const std::function<bool(double)>& on, const Saving& saving)
       : setup_(setup), on_(on), saving_(saving) {
     result_.columns = setup.columns();
-    if (saving.save) saved_.digest = digestOf(setup.scene);
+    if (saving.save) {
+      saved_.digest = digestOf(setup.scene);
+      constexpr double own = 12;  // of a state, beside its coordinates and their rounding errors
+      const double numbers = 2 * double(setup.start.q.size() + setup.start.v.size()) + own;
+      if (const std::string why = tooManySamples(setup.scene.span, numbers); !why.empty())
+        throw std::invalid_argument(setup.scene.source + ": the checkpoint would hold " + why);
+    }
     if ((saving.save || saving.from) && setup.every_step)
       throw std::invalid_argument(
           setup.scene.source +
@@ -198,6 +206,16 @@ class Runner {
 };
 
 }  // namespace
+
+std::string tooManySamples(const Span& span, double numbers) {
+  const double samples = double(span.steps) / double(span.every) + 2;
+  if (samples * numbers <= max_sample_numbers) return "";
+  std::ostringstream text;
+  text << std::setprecision(4) << samples << " samples of " << numbers
+       << " numbers, of which memory has room for " << std::floor(max_sample_numbers / numbers)
+       << ": take an output.every of " << span.duration / (max_sample_numbers / numbers - 2) << " s or more";
+  return text.str();
+}
 
 std::vector<Column> columnsOf(const Scene& scene) {
   return withSetup(scene, [](auto& setup) { return setup.columns(); });

@@ -9,6 +9,11 @@
 
 namespace liecheck::scene {
 
+/// The largest count of numbers in the samples of a run: 400 MB, and while they grow twice that.
+constexpr double max_sample_numbers = 5e7;
+/// "1e+09 samples of 3 numbers ..." if the samples of a run would be more than that; otherwise "".
+std::string tooManySamples(const Span& span, double numbers);
+
 /// A computation of a run, and how often it is done.
 struct Stage {
   std::string name, equation, when;   ///< when: "evaluation", "step" or "sample"

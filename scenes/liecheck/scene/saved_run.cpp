@@ -88,18 +88,23 @@ class Writer {
   }
 };
 
+/// Every number must be finite. A state of the scene has `numbers` coordinates.
 class Reader {
  public:
-  explicit Reader(const std::string& text) : at_(text.data()), end_(text.data() + text.size()) {
+  Reader(const std::string& text, long numbers)
+      : at_(text.data()), end_(text.data() + text.size()), numbers_(numbers) {
     if (!text.starts_with(first_line + "\n"))
       throw std::invalid_argument("is not a checkpoint: its first line is not '" + first_line + "'");
     at_ += first_line.size();
   }
-  void get(double& x) { number(x, std::chars_format::hex); }
+  void get(double& x) {
+    number(x, std::chars_format::hex);
+    if (!std::isfinite(x)) throw std::invalid_argument("is not a whole checkpoint: a number is not finite");
+  }
   void get(long& n) { number(n); }
   template <class Numbers>
   void getAll(Numbers& numbers) {
-    numbers.resize(decltype(numbers.size())(count()));
+    numbers.resize(decltype(numbers.size())(count(1)));
     for (double& x : numbers) get(x);
   }
   void get(SavedState& s) {
@@ -107,7 +112,7 @@ class Reader {
     for (auto* x : {&s.q, &s.v, &s.q_low, &s.v_low}) getAll(*x);
   }
   void get(std::vector<SavedState>& states) {
-    states.resize(std::size_t(count()));
+    states.resize(std::size_t(count(6 + numbers_)));  // with its step, its time and four counts
     for (SavedState& s : states) get(s);
   }
 
@@ -119,15 +124,16 @@ class Reader {
     if (error != std::errc()) throw std::invalid_argument("is not a whole checkpoint: a number is missing");
     at_ = after;
   }
-  /// A count of things that are still to be read, each of at least two characters.
-  long count() {
+  /// A count of things that are still to be read, each of so many numbers, which have at least two characters.
+  long count(long numbers) {
     long n = 0;
     get(n);
-    if (n < 0 || n > (end_ - at_) / 2)
+    if (n < 0 || n > (end_ - at_) / (2 * numbers))
       throw std::invalid_argument("is not a whole checkpoint: a count is wrong");
     return n;
   }
   const char *at_, *end_;
+  long numbers_;
 };
 
 constexpr const char* damaged = "is not a whole checkpoint: ";
@@ -139,24 +145,13 @@ std::string sealOf(const std::string& text) {
   return "seal " + std::to_string(digest.value()) + "\n";
 }
 
-/// Throws std::invalid_argument unless all numbers are finite, and the states until the last one are those that a run of
-/// this span keeps.
+/// Throws std::invalid_argument unless the states until the last one are those that a run of this span keeps.
 void checkStates(const SavedRun& run, const Span& span) {
   const auto refuse = [](const char* what) { throw std::invalid_argument(std::string(damaged) + what); };
-  const auto finite = [](const auto& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-  };
-  const auto check = [&](const SavedState& s) {
-    if (!(std::isfinite(s.t) && finite(s.q) && finite(s.v) && finite(s.q_low) && finite(s.v_low)))
-      refuse("a number is not finite");
-  };
-  check(run.last);
-  if (!finite(run.memory)) refuse("a number is not finite");
   const long last = run.last.step, parts = std::clamp(span.steps / 9, 1L, 64L),
              longest = span.steps / parts + 1 + span.every;
   long due = 0;
   for (const SavedState& s : run.samples) {
-    check(s);
     if (s.step > last) continue;
     if (s.step != due) refuse("a sample is missing");
     due = due == span.steps ? due + 1 : std::min(due + span.every, span.steps);
@@ -164,7 +159,6 @@ void checkStates(const SavedRun& run, const Span& span) {
   if (due <= last) refuse("a sample is missing");
   long before = -1;
   for (const SavedState& s : run.sections) {
-    check(s);
     if (s.step > last) continue;
     if (s.step <= before || s.step - std::max(before, 0L) > longest || (before < 0 && s.step > 0))
       refuse("a state is missing");
@@ -211,7 +205,8 @@ SavedRun savedRunOf(const std::string& text, const Scene& scene) {
   SavedRun run;
   const std::size_t seal = text.rfind("\nseal ");
   const std::string numbers = text.substr(0, seal == text.npos ? seal : seal + 1);
-  Reader r(numbers);
+  const SavedState start = withSetup(scene, [](auto& setup) { return SavedState(0, setup.start); });
+  Reader r(numbers, long(start.q.size() + start.v.size() + start.q_low.size() + start.v_low.size()));
   long digest = 0;
   r.get(digest), run.digest = std::bit_cast<std::uint64_t>(digest);
   if (run.digest != digestOf(scene))
@@ -223,7 +218,6 @@ SavedRun savedRunOf(const std::string& text, const Scene& scene) {
   r.getAll(run.memory), r.getAll(run.history);
   r.get(run.counts.steps), r.get(run.counts.rejected), r.get(run.counts.iterations), r.get(run.largest_turn);
   r.get(run.last), r.get(run.samples), r.get(run.sections);
-  const SavedState start = withSetup(scene, [](auto& setup) { return SavedState(0, setup.start); });
   const auto fits = [&](const SavedState& s) {
     return s.step >= 0 && s.step <= scene.span.steps && s.q.size() == start.q.size() &&
            s.v.size() == start.v.size() && s.q_low.size() == start.q_low.size() &&

@@ -24,6 +24,7 @@ struct Scene {
   double accepted_position = 0, accepted_angle = 0;
   std::string truth;  ///< name of the closed form of this motion, or empty
   std::string csv, json;
+  std::vector<std::string> files;  ///< that it names and that were read
 };
 
 /// The scene's effects on `model`, which is the scene's model cast to S.

@@ -4,6 +4,7 @@
 #include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene_file/units.hpp>
 #include <liecheck/text/text_file.hpp>
+#include <liecheck/text/utf8.hpp>
 #include <stdexcept>
 
 namespace liecheck::scene_file_detail {
@@ -40,7 +41,7 @@ class Reader {
     }
     if (text.size() > max_csv_bytes)
       throw std::invalid_argument(path_ + ": is longer than " + std::to_string(max_csv_bytes) + " bytes");
-    for (const std::string& line : split(text, '\n')) {
+    for (const std::string& line : split(std::string(withoutByteOrderMark(text)), '\n')) {
       ++line_;
       if (line.empty()) continue;
       const std::vector<std::string> cells = split(line, ',');

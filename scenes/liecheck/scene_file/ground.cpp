@@ -4,6 +4,7 @@
 #include <cstring>
 #include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/text/text_file.hpp>
+#include <liecheck/text/utf8.hpp>
 #include <liecheck/urdf/attributes.hpp>
 #include <map>
 #include <set>
@@ -62,7 +63,7 @@ double numberOf(const std::string& word, int line) {
 /// Calls f(words, number) for each line.
 template <class F>
 void forEachLine(const std::string& content, F f) {
-  std::istringstream stream(content);
+  std::istringstream stream{std::string(withoutByteOrderMark(content))};
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;

@@ -134,12 +134,10 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
       if (!written.insert(own[i].name).second)
         text.refuse(r.line, "observer '" + r.name + "' writes " + own[i].name +
                                 ", which another observer writes too: keep one");
-    const double columns = double(own.size());
-    const double samples = double(scene.span.steps) / double(scene.span.every) + 2;
-    if (samples * columns > max_scene_numbers)
-      text.refuse(r.line, "observer '" + r.name + "' would store " + std::to_string(samples * columns) +
-                              " numbers: give output a larger 'every'");
   }
+  const YAML::Node output = root["output"];
+  if (const std::string why = scene::tooManySamples(scene.span, 1 + double(written.size())); !why.empty())
+    text.refuse(output.IsDefined() ? output : root["observers"], "the run would keep " + why);
 }
 
 /// Follows the events of a YAML text, and refuses one whose aliases stand for more values than a scene text has room for.
@@ -281,6 +279,7 @@ Scene read(const Text& text, const std::string& content, std::vector<std::string
   readTime(text, root, scene);
   checkParts(text, root, scene);
   addWarnings(text, root, scene, warnings);
+  scene.files = text.named();
   return scene;
 }
 

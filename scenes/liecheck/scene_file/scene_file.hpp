@@ -9,8 +9,6 @@ namespace liecheck {
 
 /// The largest size of a scene text.
 constexpr std::size_t max_scene_bytes = std::size_t(1) << 22;
-/// The largest count of numbers in the samples of a scene: 400 MB.
-constexpr double max_scene_numbers = 5e7;
 
 /// The scene of a file. Paths in it are relative to its folder, and lead into it or, for a *.urdf, into a folder beside
 /// it, or into one of the folders `outside`. Throws SceneError. If `warnings` is given, those of the URDF are added to it.

@@ -76,7 +76,7 @@ std::string Text::path(const YAML::Node& node, const std::string& what) const {
     refuse(node, what + ": '" + node.Scalar().substr(0, 200) + "' is outside of the scene's folder" +
                      (robot ? " and of those beside it" : "") +
                      ": copy it there, or allow its folder with --read-outside DIR");
-  return path.lexically_normal().string();
+  return named_.emplace_back(path.lexically_normal().string());
 }
 
 double Text::number(const YAML::Node& node, const std::string& what, const std::string& unit,

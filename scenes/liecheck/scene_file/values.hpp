@@ -26,6 +26,7 @@ class Text {
   }
   static int lineOf(const YAML::Node& node);
   const std::string& file() const { return file_; }
+  const std::vector<std::string>& named() const { return named_; }  ///< the results of path()
 
   /// Refuses a node that is not a map, unknown keys and repeated keys. what names the node in messages.
   void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
@@ -74,6 +75,7 @@ class Text {
   scene::Value table(const YAML::Node& node, const std::string& what, const std::string& unit) const;
   std::string file_, folder_;
   std::vector<std::string> outside_;
+  mutable std::vector<std::string> named_;
   mutable std::map<std::string, YAML::Node> fallbacks_;  ///< the defaults of keys that were read
 };
 
