@@ -88,9 +88,14 @@ std::string domain_of(const FailedBlock& f) {
 /// "all 15.7 digits lost in double, 3.9 of 6.9 digits lost in float", of the worst block in each scalar.
 std::string how_bad(const std::vector<const FailedBlock*>& blocks) {
   std::vector<std::string> scalars, all;
-  for (const FailedBlock* f : blocks) {
-    if (std::ranges::find(scalars, f->scalar) != scalars.end()) continue;
-    scalars.push_back(f->scalar);
+  for (const FailedBlock* first : blocks) {
+    if (std::ranges::find(scalars, first->scalar) != scalars.end()) continue;
+    scalars.push_back(first->scalar);
+    const FailedBlock* f = first;
+    for (const FailedBlock* other : blocks)
+      if (first->block != "sign" && worst_outcome(*first->worst->row).empty() &&
+          other->operation == f->operation && other->scalar == f->scalar && other->score > f->score)
+        f = other;
     all.push_back(f->block == "sign" ? fmt::format("-Q is returned where Q is nearer, in {}", f->scalar)
                                      : fmt::format("{} in {}", what_of(*f), f->scalar));
   }
@@ -121,8 +126,10 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
                         finding.operation, domain);
-  if (const std::string guess = guess_of(first); !guess.empty())
-    text += fmt::format("   perhaps  {}\n", guess);
+  std::string guess;  // of the first block whose errors tell one
+  for (const FailedBlock* f : finding.own)
+    if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar) guess = guess_of(*f);
+  if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
     text += fmt::format("   so       {} {} wrong, too\n", fmt::join(others, ", "),
                         others.size() == 1 ? "is" : "are");

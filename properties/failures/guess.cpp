@@ -132,6 +132,7 @@ std::string near_gimbal_lock(const FailedBlock& f) {
   constexpr std::uint64_t any_seed = 42;
   const auto c = condition_of(*f.worst->series, f.worst->output, any_seed);
   if (!c || c->feature != Feature::lock) return "";
+  if (f.worst->row->not_finite > 0) return "asin or acos of a number beyond 1 or -1";
   if (c->slope > 0.5)
     return fmt::format(
         "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
@@ -163,8 +164,8 @@ std::string guess_of(const FailedBlock& f) {
     if (m.wrong * 3 <= m.all) return "";
     const std::string other =
         convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
-    return !other.empty() || euler_angles || f.worst->series->on_robot ||
-                   is_tree_law(f.worst->series->property)
+    return !other.empty() || (euler_angles && operation_of(f).starts_with("euler_from")) ||
+                   f.worst->series->on_robot || is_tree_law(f.worst->series->property)
                ? other
                : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
                  "the "

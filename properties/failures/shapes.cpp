@@ -179,6 +179,22 @@ class Shape {
                        at);
   }
 
+  /// Of errors in one band alone: on the side of a cutoff they begin at once, on the other they come from below the limit.
+  std::string of_one_band() const {
+    if (peak_ == 0 || y(peak_ - 1) > 0 || y(peak_ + 1) > 0 || !p(peak_).many_fail()) return "";
+    const auto below = crossing(p(peak_), p(peak_ - 1));
+    const auto above = peak_ + 1 < size() ? crossing(p(peak_), p(peak_ + 1)) : std::nullopt;
+    const bool from = below && below->passing < 0.3, to = above && above->passing < 0.3;
+    if (from == to) return "";
+    return from ? fmt::format(
+                      "a cutoff at theta about {}: above it the closed form cancels, the more the smaller "
+                      "theta is",
+                      short_of(below->angle))
+                : fmt::format(
+                      "a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
+                      short_of(above->angle));
+  }
+
   const FailedBlock& f_;
   Axis axis_;
   double root_;
@@ -227,6 +243,7 @@ std::string Shape::at_small_angles() const {
   if (peak_ >= 2 && y(peak_ - 1) > 0.3 && y(peak_ - 2) <= y(peak_ - 1) && ends_above && falls(peak_ - 2) &&
       (p(peak_).many_fail() || p(peak_ - 1).many_fail()))
     return below_cutoff();
+  if (const std::string alone = has_series(f_) ? of_one_band() : ""; !alone.empty()) return alone;
   std::size_t first = 0;  // angles below the resolution of the arguments are 0
   while (first < size() && y(first) == 0) ++first;
   std::size_t zeros = first;
@@ -237,7 +254,7 @@ std::string Shape::at_small_angles() const {
         "the result is 0 where theta is below about {}: a threshold, or acos of a number that rounds to 1",
         border(p(zeros - 1), p(zeros)));
   if (has_series(f_) && peak_ >= 3 && peak_ + 3 < size() && falls(peak_ - 3) && falls(peak_ + 3) &&
-      p(peak_).cases >= 10)
+      p(peak_).cases >= 10 && p(peak_).many_fail() && (y(peak_ - 1) > 0 || y(peak_ + 1) > 0))
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        power_of_ten(y(peak_ + 1) > y(peak_ - 1) ? p(peak_).high : p(peak_).low));
   if (power > -0.5 || p(0).y < y(peak_) - jump) return "";

@@ -61,6 +61,8 @@ constexpr Name names[] = {
     {Feature::wrench, "a wrench acts", "no wrench acts", Written::flag},
     {Feature::shape, "the shape (0 chain, 1 star, 2 all on the world, 3 other)", "", Written::count},
     {Feature::length, "the longest vector", " m", Written::scale},
+    {Feature::first_length, "the length of the first vector", "", Written::scale},
+    {Feature::second_length, "the length of the second vector", "", Written::scale},
     {Feature::speed, "the velocity", "", Written::scale},
     {Feature::force, "the force", "", Written::scale},
     {Feature::mass, "the mass", " kg", Written::scale},
@@ -209,7 +211,7 @@ class ConditionSearch {
         if (const double cost = errors(c) + 0.02 * static_cast<double>(failed) * borders(name, c);
             cost < least_cost)
           best = c, least_cost = cost;
-    // It must hold for 95 % of the failing inputs, and of the others at most 2 % may fail. Where it holds, 90 % fail; or half,
+    // It must leave out a twentieth of the inputs, or it tells nothing. It must hold for 95 % of the failing inputs, and of the others at most 2 % may fail. Where it holds, 90 % fail; or half,
     // if it leaves out a fifth of all inputs; or a quarter, if that is three times the share of all: a small error is often
     // within its limit. A border that is no zero or whole number costs as much as 2 % of the failing inputs.
     if (!best || 20 * best->failed < 19 * failed) return std::nullopt;
@@ -220,7 +222,7 @@ class ConditionSearch {
     const bool separates = 50 * best->failed_elsewhere <= best->elsewhere + 50,
                halves = inside >= 0.5 && 5 * best->elsewhere >= all_.size();
     const bool angle_alone = best->feature == Feature::trace;  // a negative trace is an angle above 2 pi / 3
-    if (!separates || (inside < 0.9 && angle_alone) ||
+    if (!separates || 20 * best->elsewhere < all_.size() || (inside < 0.9 && angle_alone) ||
         (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all)))
       return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);

@@ -154,7 +154,9 @@ class Sorter {
     } else if (n == 3 && part.unit == "rad") {
       phi_ = x;
     } else if (n == 3) {
-      if (!vector_) vector_ = x;
+      if (vectors_ < 2)
+        features_[vectors_ == 0 ? Of::first_length : Of::second_length] = scale_of(norm(x, 3));
+      if (vectors_++ == 0) vector_ = x;
       if (part.unit == "m") points_.push_back(x);
       const bool speed = part.unit == "m/s" || part.unit == "rad/s";
       raise(part.unit == "m" ? Of::length : speed ? Of::speed : Of::force, scale_of(norm(x, 3)));
@@ -209,6 +211,7 @@ class Sorter {
   const Scalar& scalar_;
   bool floating_;
   Features features_;
+  int vectors_ = 0;
   const double *phi_ = nullptr, *matrix_ = nullptr, *vector_ = nullptr;
   std::vector<const double*> quaternions_, points_;
 };

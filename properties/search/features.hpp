@@ -56,15 +56,17 @@ enum class Feature : std::uint8_t {
   x_negative,   ///< 1 if the first number of the first rotation or vector is negative, else 0
   y_negative,
   z_negative,
-  largest,   ///< which of these three numbers is the largest in size: 0, 1 or 2
-  trace,     ///< of the first matrix
-  second_w,  ///< scalar part of the second quaternion
-  product,   ///< Q0 . Q1 of two quaternions
-  fraction,  ///< t
-  along,     ///< the cosine of the angle between the axis of the first rotation and the first vector
-  order,     ///< of Euler angles
-  lock,      ///< the angle between the middle Euler angle of a rotation and the nearer end of its range [rad]
-  call,         ///< 1 for the first call of the operation, and so on
+  largest,        ///< which of these three numbers is the largest in size: 0, 1 or 2
+  trace,          ///< of the first matrix
+  second_w,       ///< scalar part of the second quaternion
+  product,        ///< Q0 . Q1 of two quaternions
+  fraction,       ///< t
+  along,          ///< the cosine of the angle between the axis of the first rotation and the first vector
+  order,          ///< of Euler angles
+  first_length,   ///< likewise of the first vector alone
+  second_length,  ///< and of the second
+  lock,  ///< the angle between the middle Euler angle of a rotation and the nearer end of its range [rad]
+  call,  ///< 1 for the first call of the operation, and so on
   call_mod_1000,   ///< the number of the call modulo 1000
   call_mod_2,      ///< and modulo 2
   after_itself,    ///< 1 if the call before was of the same operation, else 0

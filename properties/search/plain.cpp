@@ -35,7 +35,9 @@ struct Vectors {
 };
 const Vectors vectors[] = {{{1, 2, 3}, {2, -1, 0.5}, {0.5, 3, -1}},
                            {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-                           {{1, 2, 3}, {1 + 1e-7, 2, 3}, {1, 0, 0}}};
+                           {{1, 2, 3}, {1 + 1e-7, 2, 3}, {1, 0, 0}},
+                           {{1000, 2000, 3000}, {2000, -1000, 500}, {500, 3000, -1000}},
+                           {{0, 0, 0}, {1, 2, 3}, {1, 0, 0}}};
 
 /// One choice for each group: `turned` is the group with the angle, all others keep still, or all have it.
 Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angle, std::size_t axis,
