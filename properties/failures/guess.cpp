@@ -160,18 +160,19 @@ std::string guess_of(const FailedBlock& f) {
   if (m.other_branch * 5 > m.all && f.block == "rotation vector")
     return "the sign of w is not looked at: Q and -Q, the same rotation, give different results";
   const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
+  if (operation_of(f).starts_with("euler_from"))
+    if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     if (m.wrong * 3 <= m.all) return "";
     const std::string other =
         convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
-    return !other.empty() || (euler_angles && operation_of(f).starts_with("euler_from")) ||
-                   f.worst->series->on_robot || is_tree_law(f.worst->series->property)
+    return !other.empty() || operation_of(f).starts_with("euler_from") || f.worst->series->on_robot ||
+                   is_tree_law(f.worst->series->property)
                ? other
                : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
                  "the "
                  "results";
   }
-  if (euler_angles && operation_of(f).starts_with("euler_from")) return near_gimbal_lock(f);
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
   const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
   std::string all;

@@ -18,7 +18,8 @@ namespace liecheck::properties {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 smallest = std::numeric_limits<double>::denorm_min();
+                 lowest = std::numeric_limits<double>::lowest(),  // above log2(0)
+    smallest = std::numeric_limits<double>::denorm_min();
 constexpr std::uint64_t tried_cases = 2000, least = 3;
 constexpr double most_seconds = 0.5;  // of slow subjects: ten findings stay silent for a few seconds
 
@@ -246,7 +247,9 @@ class ConditionSearch {
   /// How many borders of a condition are no natural ones: a zero, or those of what has whole numbers.
   static int borders(const Name& name, const Condition& c) {
     if (name.written == Written::flag) return 0;
-    const auto chosen = [](double border) { return std::isfinite(border) && std::fabs(border) > smallest; };
+    const auto chosen = [](double border) {
+      return std::isfinite(border) && std::fabs(border) > smallest && border != lowest;
+    };
     const int all = chosen(c.low) + chosen(c.high);
     return name.written == Written::count ? std::min(all, 1) : all;
   }
@@ -276,7 +279,7 @@ class ConditionSearch {
     const std::pair<double, double> ranges[] = {{0.0, smallest},
                                                 {-infinity, 0.0},
                                                 {0.0, infinity},
-                                                {-infinity, high},
+                                                {-infinity, of_failed.back() == -infinity ? lowest : high},
                                                 {low, infinity},
                                                 {low, high},
                                                 {-infinity, above(of_failed[of_failed.size() - 1 - few])},
@@ -291,7 +294,7 @@ class ConditionSearch {
   /// Moves a border of the condition to where inputs between a failing and a passing one change.
   void refine(Condition& c, bool low) {
     const double border = low ? c.low : c.high;
-    if (std::fabs(border) <= smallest) return;  // zero
+    if (std::fabs(border) <= smallest || border == lowest) return;  // zero
     const Name& name = *std::ranges::find(names, c.feature, &Name::feature);
     if (!std::isfinite(border) || name.written > Written::scale) return;
     const Tried *in = nullptr, *out = nullptr;  // the nearest to the border on both sides
@@ -367,6 +370,7 @@ std::string text_of(const Condition& c, const Scalar& scalar) {
   };
   if (name.written == Written::flag) return c.low > 0 ? name.name : name.unit;
   if (c.low == 0 && c.high == smallest) return fmt::format("{} = 0", name.name);
+  if (c.high == lowest) return fmt::format("{} is 0", name.name);
   const bool below = c.low == -infinity, above = c.high == infinity;
   if (name.written == Written::count && (!above || below)) {
     const double first = std::ceil(c.low), last = std::ceil(c.high) - 1;

@@ -93,6 +93,17 @@ TEST(Causes, OfEulerAnglesSayHowFarFromGimbalLock) {
   EXPECT_TRUE(says(all[0], "is wrong by ")) << all[0];
 }
 
+TEST(Causes, OfAVectorSayItsLength) {
+  const auto all = findings([](TypedOperations<double>& o) {
+    o[op::act_point] = [](const Pose<double>& X, const V3& p) -> V3 {
+      if (p.isZero(0)) return V3::Zero();  // forgets the translation
+      return own_subject().operations[op::act_point](X, p);
+    };
+  });
+  ASSERT_EQ(all.size(), 1);
+  EXPECT_TRUE(says(all[0], "where    the length of the second vector is 0: ")) << all[0];
+}
+
 TEST(Causes, OfAResultThatIsFiniteAreNotCalledNaN) {
   const auto all = findings([](TypedOperations<double>& o) {
     o[op::relative_angle] = [](const V4& Q, const V4& P) {
