@@ -143,12 +143,16 @@ double apart(const Numbers& a, const Numbers& b) {
   return most;
 }
 /// The derivative of a difference by a Jacobian at the exact difference; if that is wrong, too, at the subject's own
-/// difference, whose errors may be those of the same Jacobian.
+/// difference, if it has one, whose errors may be those of the same Jacobian.
 template <class Jacobian>
 Numbers by_difference(const Case& c, const char* operation, const Jacobian& jacobian) {
-  const Numbers right = exact(operation, c.x), by_exact = jacobian(exact("difference", c.x)),
-                by_own = jacobian(c.own("difference", c.x));
-  return apart(by_exact, right) > apart(by_own, right) / 30 ? by_own : by_exact;
+  const Numbers right = exact(operation, c.x), by_exact = jacobian(exact("difference", c.x));
+  try {
+    const Numbers by_own = jacobian(c.own("difference", c.x));
+    return apart(by_exact, right) > apart(by_own, right) / 30 ? by_own : by_exact;
+  } catch (const std::domain_error&) {  // it has no difference, or refuses the arguments
+    return by_exact;
+  }
 }
 
 const Relation relations[] = {

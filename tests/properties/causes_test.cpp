@@ -93,6 +93,19 @@ TEST(Causes, OfEulerAnglesSayHowFarFromGimbalLock) {
   EXPECT_TRUE(says(all[0], "is wrong by ")) << all[0];
 }
 
+TEST(Causes, OfADerivativeAreKnownWithoutADifference) {
+  const auto all = findings([](TypedOperations<double>& o) {
+    o[op::right_jacobian6_inverse] = [](const Vec<double, 6>& xi) -> Mat<double, 6> {
+      return 1.001 * own_subject().operations[op::right_jacobian6_inverse](xi);
+    };
+    o[op::d_difference_arg1] = [](const Vec<double, 7>& q0, const Vec<double, 7>& q1) -> Mat<double, 6> {
+      return 1.001 * own_subject().operations[op::d_difference_arg1](q0, q1);
+    };
+  });
+  ASSERT_EQ(all.size(), 1);
+  EXPECT_TRUE(says(all[0], "so       d_difference_arg1 is wrong, too")) << all[0];
+}
+
 TEST(Causes, OfAVectorSayItsLength) {
   const auto all = findings([](TypedOperations<double>& o) {
     o[op::act_point] = [](const Pose<double>& X, const V3& p) -> V3 {
