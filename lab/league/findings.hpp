@@ -23,10 +23,11 @@ struct Trust {
 
 /// For each operation of a library that fails in the record: writes its program into `folder`, runs it, and if it
 /// prints the numbers that the adapter returned, writes FOLDER/LIBRARY_OPERATION.md. A cell of grade A or B is no
-/// finding: losing less than four digits may be the library's choice. One function is one finding, in double if that
-/// fails, unless it is wrong since another one is (failures/findings.hpp). The repaired forms of the record (league.hpp) run on the same input. Throws std::invalid_argument for a record
-/// whose commands are not trusted, before anything is started or written, and std::runtime_error naming a file that
-/// cannot be written. Stops at stop_requested.
+/// finding: losing less than four digits may be the library's choice. One function is one finding, in double if
+/// that fails, unless it is wrong since another one is (failures/findings.hpp). The repaired forms of the record
+/// (league.hpp) run on the same input. Throws std::invalid_argument for a record whose commands are not trusted,
+/// before anything is started or written, and std::runtime_error naming a file that cannot be written. Stops at
+/// stop_requested.
 Confirmed write_findings(const nlohmann::json& record, const Trust& trust, const std::string& folder);
 
 /// The numbers in a text, in its order; words such as nan and inf are numbers, too.

@@ -60,14 +60,11 @@ class AnyNorm final : public Law<AnyNorm> {
                                const oracles::Quaternion<Real>& Q) {
     constexpr Output quaternion = op::normalize[block::quaternion],
                      defect = op::normalize[block::norm_defect];
-    auto exact = oracles::normalize(Q);
+    const auto exact = oracles::normalize(Q);
     judged_value(r, {quaternion, defect}, 0, computed, exact.resolved, [&] {
       const auto unit = oracles::exact_vector<4, Real>(computed);
-      // -Q is the same rotation. An adapter that states a sign is held to it (adapters/chosen.hpp).
-      Real product(0);
-      for (std::size_t i = 0; i < 4; ++i) product += unit[i] * exact.value[i];
-      if (r.ordinary(quaternion) && product < Real(0)) exact.value = -exact.value;
-      r.record(quaternion, 0, oracles::vector_error(r.scalar(), unit, exact.value));
+      r.record(quaternion, 0,
+               oracles::vector_error(r.scalar(), unit, nearer_sign(r, quaternion, unit, exact.value)));
       r.record(defect, 0, oracles::norm_defect(r.scalar(), unit));
     });
   }

@@ -1,6 +1,7 @@
 // The first-order normalisation of a quaternion whose norm is near 1 is compared with its definition.
 
 #include <generators/rotations.hpp>
+#include <invariants/any_norm.hpp>
 #include <invariants/common.hpp>
 #include <oracles/normalisation.hpp>
 
@@ -35,8 +36,10 @@ class Normalisation final : public Law<Normalisation> {
     const Vec<double, 4> Q = Reader(input).take<4>(), computed = subject.operations[measured](Q);
     const auto exact = oracles::first_order_normalize(oracles::exact_vector<4, Real>(Q));
     judged_value(r, {measured[block::quaternion]}, 0, computed, exact.resolved, [&] {
-      r.record(measured[block::quaternion], 0,
-               oracles::vector_error(r.scalar(), oracles::exact_vector<4, Real>(computed), exact.value));
+      constexpr Output quaternion = measured[block::quaternion];
+      const auto stored = oracles::exact_vector<4, Real>(computed);
+      r.record(quaternion, 0,
+               oracles::vector_error(r.scalar(), stored, nearer_sign(r, quaternion, stored, exact.value)));
     });
   }
 };

@@ -135,6 +135,10 @@ TEST(Causes, TheOppositeQuaternionIsTheSameRotation) {
                   const V4 unit = own_subject().operations[op::normalize](Q);
                   return unit[3] < 0 ? V4(-unit) : unit;
                 };
+                o[op::first_order_normalize] = [](const V4& Q) -> V4 {
+                  const V4 unit = own_subject().operations[op::first_order_normalize](Q);
+                  return unit[3] < 0 ? V4(-unit) : unit;
+                };
               }).empty());
   EXPECT_EQ(findings([](TypedOperations<double>& o) {
               o[op::normalize] = [](const V4& Q) -> V4 {

@@ -268,7 +268,8 @@ class Reader {
     const Vector3<double> xyz = vector(*axis, "xyz", Vector3<double>::UnitX());
     if (xyz.isZero(0)) refuse(*axis, joint_text + " has a zero axis", axis->Attribute("xyz"));
     if (std::fabs(xyz.stableNorm() - 1) > 1e-3)  // a rounding to three digits is no mistake
-      messages_.warn(axis->GetLineNum(), joint_text + " has an axis whose length is not 1; only its direction counts",
+      messages_.warn(axis->GetLineNum(),
+                     joint_text + " has an axis whose length is not 1; only its direction counts",
                      axis->Attribute("xyz"));
     return xyz;
   }
