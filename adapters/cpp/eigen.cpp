@@ -2,6 +2,7 @@
 // functions, "eigen"; this adapter is the example of a library with templates.
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <liecheck_adapter.hpp>
 
@@ -9,6 +10,12 @@
 
 #define TEXT_OF(x) #x
 #define VERSION(world, major, minor) TEXT_OF(world) "." TEXT_OF(major) "." TEXT_OF(minor)
+
+// FromTwoVectors decomposes a matrix of two vectors. With that in this file, the compiler needs 1.3 GB.
+#ifdef SVD_IN_EIGEN_SVD_CPP
+extern template class Eigen::JacobiSVD<Eigen::Matrix<float, 2, 3>>;
+extern template class Eigen::JacobiSVD<Eigen::Matrix<double, 2, 3>>;
+#endif
 
 namespace {
 
