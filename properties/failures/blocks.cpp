@@ -105,6 +105,12 @@ bool is_thin(const FailedBlock& f, std::size_t band) {
 
 }  // namespace
 
+bool is_ordinary(const Band& b) {
+  constexpr double near = 0.99e-8;  // below the edge of a band at 1e-8, which is rounded
+  if (b.axis == Axis::none) return b.region == Region::to_pi || (b.high > 0 && b.high < 10);
+  return b.low >= near || (b.axis == Axis::theta ? b.high == 0 : b.low == 0);
+}
+
 std::string outcomes_of(const Row& row) {
   std::string text;
   for (const auto& [number, what] : outcomes(row))
@@ -119,14 +125,20 @@ std::string worst_outcome(const Row& row) {
 
 void find_worst(FailedBlock& f) {
   f.worst = nullptr, f.score = 0, f.failed = f.cases = 0;
+  const bool ordinary = std::ranges::any_of(f.bands, [](const BandOf& b) {
+    return b.fails && b.band > 0 && is_ordinary(b.series->bands()[b.band]);
+  });
   for (const BandOf& b : f.bands) {
     if (!b.fails) continue;
     // Band 0 has what is known to have failed in a case, such as a result of another case that changed.
+    // A crash comes first. Angles that somebody will meet come before all others.
     const auto place = [](const BandOf& of) {
-      return std::tuple(badness(of).first, of.band > 0, badness(of).second);
+      const auto [kind, error] = badness(of);
+      return std::tuple(of.row->crashed > 0, of.band > 0 && is_ordinary(of.series->bands()[of.band]), kind,
+                        of.band > 0, error);
     };
     if (!f.worst || place(b) > place(*f.worst)) f.worst = &b;
-    f.score = std::max(f.score, score_of(b));
+    if (!ordinary || is_ordinary(b.series->bands()[b.band])) f.score = std::max(f.score, score_of(b));
     f.failed += b.row->failed, f.cases += b.row->inside();
   }
   if (!f.worst) return;

@@ -17,8 +17,9 @@ struct BandOf {
 struct FailedBlock {
   std::string subject, scalar, operation, block;
   std::vector<BandOf> bands;  ///< those with cases, in the order of the angle
-  const BandOf* worst;        ///< the failing one with the worst outcome or the largest error
-  double score = 0;           ///< the largest error or excess of a failing band [eps]; 0 if none has an error
+  const BandOf*
+      worst;  ///< the failing one with the worst outcome or the largest error, of ordinary angles if one is
+  double score = 0;  ///< the largest error or excess of such a band [eps]; 0 if none has an error
   std::uint64_t failed = 0, cases = 0;  ///< of the failing bands
   FailedBlock() = default;
   FailedBlock(const FailedBlock&) = delete;  // `worst` points into `bands`
@@ -28,6 +29,9 @@ struct FailedBlock {
 
 /// Those that fail, worst first: without a result, NaN or Inf, a wrong branch, other outcomes, then by the error.
 std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign);
+
+/// Angles of 1e-8 to 2 pi that are no closer than 1e-8 to pi, 0, pi, and inputs without an angle.
+bool is_ordinary(const Band& band);
 
 /// Finds the worst band again, and the figures that follow from it, after `fails` of a band has changed; none may fail.
 void find_worst(FailedBlock& block);

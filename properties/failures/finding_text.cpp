@@ -34,8 +34,9 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
   for (const BandOf& b : f.bands) {
     if (!b.fails || b.series != f.worst->series || b.output != f.worst->output) continue;
     const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
-    const int order = (is_ordinary(b.series->bands()[b.band]) ? 4 : 0) + (2 * loss(b) >= most ? 2 : 0);
-    all.push_back({share + order, {b.band, b.row->worst_score}});
+    const bool ordinary = is_ordinary(b.series->bands()[b.band]);
+    all.push_back(
+        {share + (ordinary ? 4 : 0) + (2 * loss(b) >= most ? 2 : 0), {b.band, b.row->worst_score, ordinary}});
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.first; });
   std::vector<BandOfFailure> bands;

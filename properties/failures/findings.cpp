@@ -54,7 +54,21 @@ std::vector<const BandOf*> examples_of(const FailedBlock& f) {
   return {all.front(), all[all.size() / 2], all.back()};
 }
 
-/// The operations whose own errors explain the worst case of a band; none if the band has no such case.
+/// The largest error of a number of a call's result, over the largest number; 0 if the call has no result that is known.
+double relative_error(const NotedCall& call) {
+  const auto exact = expected_of(call);
+  if (!call.thrown.empty() || exact.size() != call.result.size()) return 0;
+  double error = 0, largest = std::numeric_limits<double>::min();
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto right = static_cast<double>(exact[i]);
+    if (!std::isfinite(call.result[i])) return std::numeric_limits<double>::infinity();
+    error = std::max(error, std::fabs(call.result[i] - right)), largest = std::max(largest, std::fabs(right));
+  }
+  return error / largest;
+}
+
+/// The operations whose own errors explain the worst case of a band, or of the calls of which a result is formed those that are
+/// wrong; none if the band has no such case.
 std::optional<std::vector<std::string_view>> causes_in(const BandOf& b, std::uint64_t seed,
                                                        const std::set<std::string_view>& wrong) try {
   const Output& output = b.series->outputs.at(b.output);
@@ -62,10 +76,11 @@ std::optional<std::vector<std::string_view>> causes_in(const BandOf& b, std::uin
   const NotedCall* call = worst_call(output, all);
   if (!call || !call->thrown.empty() || !all.compared.exact.empty()) return std::nullopt;
   std::vector<std::string_view> parts;
-  if (call->operation != output.record && wrong.contains(call->operation->name))
-    parts.push_back(call->operation->name);
-  else
+  if (call->operation == output.record)
     parts = explained_by(*b.series, output, *call);
+  else
+    for (const NotedCall& one : all.calls)
+      if (relative_error(one) > 100 * b.series->eps) parts.push_back(one.operation->name);
   std::erase_if(parts, [&](std::string_view part) { return !wrong.contains(part); });
   return parts;
 } catch (const GivenUp&) {  // a signal ended a call
@@ -209,23 +224,44 @@ class Groups {
         if (of_one_operation(i, k) && !is_symptom(block_of(k)) && fail_together(worst_of(i), worst_of(k)))
           groups_[i].cause = k;
   }
-  /// A block may have several causes: the bands that another operation explains are that one's alone. If these are all of
-  /// the ordinary angles, the others are, too.
+  /// The failing bands of a block that follow each other on one axis: first and behind the last.
+  static std::vector<std::pair<std::size_t, std::size_t>> runs_of(const FailedBlock& f) {
+    std::vector<std::pair<std::size_t, std::size_t>> all;
+    for (std::size_t i = 0; i < f.bands.size(); ++i) {
+      if (!f.bands[i].fails) continue;
+      const auto follows = [&](const BandOf& before) {
+        return f.bands[i].band <= before.band + 1 &&
+               before.series->bands()[before.band].axis == f.bands[i].series->bands()[f.bands[i].band].axis;
+      };
+      if (!all.empty() && follows(f.bands[all.back().second - 1]))
+        all.back().second = i + 1;
+      else
+        all.emplace_back(i, i + 1);
+    }
+    return all;
+  }
+  /// A block may have several causes: of bands that follow each other, those that another operation explains are that one's
+  /// alone, all of them if it explains two of three. If these are all of the ordinary angles, the others are, too.
   void leave_bands_to_their_causes() {
     for (std::size_t i = 0; i < groups_.size(); ++i)
       for (FailedBlock* f : groups_[i].blocks) {
         if (groups_[i].cause || f->block == "sign") continue;
         const auto before = f->bands;
         std::string_view other;
-        for (BandOf& b : f->bands) {
-          if (!b.fails || stop_requested) continue;
-          const auto parts = causes_in(b, seed_, wrong_[f->subject]);
-          const auto at = parts
-                              ? std::ranges::find_if(*parts, [&](auto part) { return part != f->operation; })
-                              : std::vector<std::string_view>::const_iterator();
-          if (!parts || at == parts->end()) continue;
-          b.fails = false;
-          if (is_ordinary(b.series->bands()[b.band])) other = *at;
+        for (const auto& [first, last] : runs_of(*f)) {
+          std::vector<std::size_t> explained;
+          std::string_view by;
+          for (std::size_t i = first; i < last && !stop_requested; ++i) {
+            const auto parts = causes_in(f->bands[i], seed_, wrong_[f->subject]);
+            if (!parts) continue;
+            const auto at = std::ranges::find_if(*parts, [&](auto part) { return part != f->operation; });
+            if (at != parts->end()) explained.push_back(i), by = *at;
+          }
+          if (3 * explained.size() < 2 * (last - first)) continue;
+          for (std::size_t i = first; i < last; ++i) {
+            f->bands[i].fails = false;
+            if (is_ordinary(f->bands[i].series->bands()[f->bands[i].band])) other = by;
+          }
         }
         if (!other.empty() && std::ranges::none_of(f->bands, fails_ordinarily)) {
           f->bands = before;
@@ -263,12 +299,6 @@ class Groups {
 };
 
 }  // namespace
-
-bool is_ordinary(const Band& b) {
-  constexpr double near = 0.99e-8;  // below the edge of a band at 1e-8, which is rounded
-  if (b.axis == Axis::none) return b.region == Region::to_pi || (b.high > 0 && b.high < 10);
-  return b.axis == Axis::theta ? b.low >= near || b.high == 0 : b.low >= near;
-}
 
 std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<FailedBlock>& failed,
                                  const std::vector<HardRow>& hard_cases) {

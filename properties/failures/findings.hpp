@@ -17,9 +17,6 @@ struct Finding {
   double ordinary = 0;  ///< the share of ordinary inputs that fail, times the share of digits that they lose
 };
 
-/// Angles of 1e-8 to 2 pi that are no closer than 1e-8 to pi, 0, and inputs without an angle.
-bool is_ordinary(const Band& band);
-
 /// The findings, those first that cost the most digits of the most ordinary inputs. All pointers are into `failed` and `hard_cases`.
 /// In `failed`, the bands of a block that another finding explains no longer fail.
 std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<FailedBlock>& failed,

@@ -10,6 +10,7 @@
 #include <failures/shapes.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
+#include <numbers>
 #include <search/condition.hpp>
 #include <support/stop.hpp>
 
@@ -62,7 +63,7 @@ std::string of_not_finite(const FailedBlock& f) {
   }
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
-  if (elsewhere * 10 > f.failed && !has_angle(f)) return "";
+  if (elsewhere * 10 > f.failed && !has_angle(f) && (beyond || other || near_pi)) return "";
   if (other || near_pi || (largest < 0 && !beyond)) return "";
   if (largest < 0) return "theta^2 or a power of it overflows";
   if (beyond) return "";
@@ -103,6 +104,31 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   return m;
 }
 
+/// What an angle that is wrong by pi, or by the rest of a turn, tells.
+std::string of_wrong_angle(const FailedBlock& f) {
+  const BandOf& b = *f.worst;
+  const Output& output = b.series->outputs.at(b.output);
+  constexpr std::uint64_t any_seed = 42;
+  if (f.block != "angle") return "";
+  std::uint64_t by_pi = 0, rest = 0, all = 0;
+  for (std::uint64_t i = 0; i < 200; ++i)
+    for (const NotedCall& call : noted(*b.series, b.series->id(any_seed, i), b.output).calls) {
+      if (call.operation != output.record || !call.thrown.empty() || call.result.empty()) continue;
+      const auto right = expected_of(call);
+      if (right.size() != call.result.size()) continue;
+      const double is = call.result.back(), should_be = static_cast<double>(right.back());
+      if (std::fabs(is - should_be) < 1e-3) continue;
+      ++all, by_pi += std::fabs(std::fabs(is - should_be) - std::numbers::pi) < 1e-6;
+      rest += std::fabs(is + should_be - 2 * std::numbers::pi) < 1e-6;
+    }
+  if (all >= 3 && by_pi == all)
+    return "the angle is wrong by pi on one half of the circle: atan of a quotient, or asin or acos; atan2 "
+           "of both parts is not";
+  return all >= 3 && rest == all ? "where Q0 . Q1 < 0, the angle is 2 pi minus the right one: Q1 and -Q1 are "
+                                   "the same rotation, and the nearer one counts"
+                                 : "";
+}
+
 /// The convention in which the results at moderate arguments would be right, or "".
 std::string convention(const FailedBlock& f) {
   const Series& series = *f.worst->series;
@@ -127,18 +153,50 @@ std::string convention(const FailedBlock& f) {
   }
 }
 
+/// The errors over a feature: the slope of their logarithms, 0 if it is not known; the largest value at which more than a
+/// thousandth is wrong; and the largest one below which most errors are of the size of the feature.
+struct ErrorsOver {
+  double slope = 0, wrong_up_to = -1, as_large_up_to = -1;
+};
+ErrorsOver errors_over(const Condition& c) {
+  ErrorsOver all;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, as_large = 0;
+  for (const auto& [value, error] : c.errors) {
+    const double a = std::log(value), b = std::log(error);
+    if (!std::isfinite(a) || !std::isfinite(b)) continue;
+    ++n, x += a, y += b, xx += a * a, xy += a * b;
+    if (error > 1e-3) all.wrong_up_to = value;
+    const bool like = error > 0.05 * value && error < 3 * value;
+    as_large += like;
+    if (like && as_large >= 3 && as_large >= 0.8 * n) all.as_large_up_to = value;
+  }
+  const double spread = n * xx - x * x;
+  if (n >= 5 && spread > 0) all.slope = (n * xy - x * y) / spread;
+  return all;
+}
+
 /// What the errors of Euler angles near gimbal lock tell.
 std::string near_gimbal_lock(const FailedBlock& f) {
   constexpr std::uint64_t any_seed = 42;
   const auto c = condition_of(*f.worst->series, f.worst->output, any_seed);
   if (!c || c->feature != Feature::lock) return "";
+  const ErrorsOver errors = errors_over(*c);
   if (f.worst->row->not_finite > 0) return "asin or acos of a number beyond 1 or -1";
-  if (c->slope > 0.5)
+  // Another formula is wrong at once where it begins, and rounding does the less the farther the angles are from gimbal lock.
+  if (errors.wrong_up_to > 0 && errors.wrong_up_to < 1e-3 * c->high)
+    return "near gimbal lock, atan2 of numbers that are 0 but for rounding: the error grows as 1 / (the "
+           "angle from it), "
+           "since two angles are computed each by itself";
+  if (errors.as_large_up_to > 4 * std::sqrt(f.worst->series->eps) && 10 * errors.as_large_up_to < c->high)
+    return fmt::format(
+        "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
+        errors.as_large_up_to);
+  if (errors.slope > 0.5)
     return fmt::format(
         "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
         c->high);
   const BandOf& worst = *f.worst;
-  if (c->slope > -0.3 && f.score * worst.series->eps > 1e-3)
+  if (errors.slope > -0.3 && f.score * worst.series->eps > 1e-3)
     return fmt::format(
         "another formula at gimbal lock, which is wrong: it is used less than {:.2g} rad from it", c->high);
   const double digits = -std::log10(f.score * worst.series->eps), half = -std::log10(worst.series->eps) / 2;
@@ -163,6 +221,7 @@ std::string guess_of(const FailedBlock& f) {
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
+    if (std::string guess = of_wrong_angle(f); !guess.empty()) return guess;
     if (m.wrong * 3 <= m.all) return "";
     const std::string other =
         convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
@@ -175,9 +234,11 @@ std::string guess_of(const FailedBlock& f) {
   }
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
   const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
+  std::vector<std::string> guesses{of_branch_near_pi(f), near_pi_first ? near_pi : small,
+                                   near_pi_first ? small : near_pi, of_underflow(f)};
+  guesses.insert(f.worst->row->not_finite > 0 ? guesses.begin() : guesses.end(), of_not_finite(f));
   std::string all;
-  for (const std::string& guess : {of_branch_near_pi(f), near_pi_first ? near_pi : small,
-                                   near_pi_first ? small : near_pi, of_underflow(f), of_not_finite(f)})
+  for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
   // A float rounds by 2^-24, and a formula may do so a dozen times.

@@ -44,6 +44,10 @@ bool has_series(const FailedBlock& f) {
   return operation_of(f) != "relative_angle" && operation_of(f) != "rotation_between" &&
          operation_of(f) != "slerp";
 }
+/// Whether nothing in the formula of a quaternion is singular near pi.
+bool returns_quaternion(const FailedBlock& f) {
+  return operation_of(f) == "exp3_quaternion" || operation_of(f) == "euler_to_quaternion";
+}
 /// Whether the error is an angle, not relative to theta.
 bool errs_by_angle(const FailedBlock& f) {
   return f.block == "rotation" || f.block == "direction";
@@ -64,7 +68,8 @@ class Shape {
     for (const BandOf& b : f.bands) {
       const Band& band = b.series->bands()[b.band];
       const bool underflows = axis == Axis::theta && !band.name.starts_with("theta 1e");
-      if (band.axis != axis || underflows || band.low <= 1e-100 || b.row->errors.count() < least_cases)
+      if (band.axis != axis || underflows || (!b.fails && b.row->failed > 0) || band.low <= 1e-100 ||
+          b.row->errors.count() < least_cases)
         continue;
       const double eps = b.series->eps;
       const Budget& budget = b.series->budget(b.output, band.region);
@@ -225,14 +230,17 @@ std::string Shape::at_small_angles() const {
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
         border(p(*start), p(*start - 1)));
-  if (has_series(f_) && ends_below && y(peak_ + 1) > 0.5 && p(peak_).many_fail())
-    return fmt::format(
-        "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
-        border(p(peak_), p(peak_ - 1)));
   if (const auto step = has_series(f_) ? step_up() : std::nullopt)
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, and the series below it lacks a term",
         power_of_ten(p(*step).low));
+  if (has_series(f_) && ends_below && y(peak_ + 1) > 0.5 && p(peak_).many_fail())
+    return fmt::format(
+        "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
+        border(p(peak_), p(peak_ - 1)));
+  if (has_series(f_) && is_of_cosine() && f_.block == "coupling")
+    return "a missing series: theta - sin(theta), or 1 - theta^2 / 2 - cos(theta), cancels as theta goes to "
+           "0";
   if (has_series(f_) && is_of_cosine())
     return fmt::format(
         "1 - cos(theta) cancels, and is 0 below theta about {}: 2 sin(theta / 2)^2 keeps all digits",
@@ -296,6 +304,9 @@ std::string Shape::near_pi() const {
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: (1 + cos(theta)) / "
         "sin(theta) is 1 / tan(theta / 2)",
         short_of(root_));
+  if (p(0).y > jump && power < -0.5 && power > -2.5 && returns_quaternion(f_))
+    return "a quaternion from a rotation matrix: something is divided by w = sqrt(1 + trace) / 2, which "
+           "cancels near pi";
   if (p(0).y > jump && power < -0.5 && power > -2.5)
     return fmt::format(
         "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as "

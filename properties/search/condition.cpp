@@ -21,7 +21,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
                  lowest = std::numeric_limits<double>::lowest(),  // above log2(0)
     smallest = std::numeric_limits<double>::denorm_min();
 constexpr std::uint64_t tried_cases = 2000, least = 3;
-constexpr double most_seconds = 0.5;  // of slow subjects: ten findings stay silent for a few seconds
+constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
+constexpr double most_seconds = 3;  // of subjects so slow that what is found may change from run to run
 
 /// How a feature is written. `scale`: its values are log2 of a size over the largest exponent of the scalar.
 /// `sign`: only its sign is looked at, since its size follows from an angle.
@@ -188,9 +189,13 @@ class ConditionSearch {
 
   std::optional<Condition> run(std::uint64_t seed) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_seconds);
-    for (std::uint64_t i = 0; i < tried_cases; ++i) {
+    for (std::uint64_t i = 0, failed = 0; i < tried_cases; ++i) {
       if (stop_requested || std::chrono::steady_clock::now() > end) break;
-      if (auto t = trial_(series_.numbers(series_.id(seed, i)))) all_.push_back(std::move(*t));
+      if (i >= enough_cases && failed >= enough_failures) break;
+      auto t = trial_(series_.numbers(series_.id(seed, i)));
+      if (!t) continue;
+      failed += t->failed;
+      all_.push_back(std::move(*t));
     }
     auto found = separating();
     if (found || !fails_in_) return found;
@@ -227,19 +232,10 @@ class ConditionSearch {
         (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all)))
       return std::nullopt;
     for (const bool low : {true, false}) refine(*best, low);
-    best->slope = slope_over(best->feature);
+    for (const Tried& t : all_)
+      if (t.failed) best->errors.emplace_back(t.features[best->feature], t.error * series_.eps);
+    std::ranges::sort(best->errors);
     return best;
-  }
-  double slope_over(Feature feature) const {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const Tried& t : all_) {
-      if (!t.failed) continue;
-      const double a = std::log(t.features[feature]), b = std::log(t.error);
-      if (!std::isfinite(a) || !std::isfinite(b)) continue;
-      ++n, x += a, y += b, xx += a * a, xy += a * b;
-    }
-    const double spread = n * xx - x * x;
-    return n < 5 || !(spread > 0) ? 0 : (n * xy - x * y) / spread;
   }
   static double errors(const Condition& c) {
     return static_cast<double>(c.cases - c.failed + c.failed_elsewhere);
@@ -312,16 +308,21 @@ class ConditionSearch {
     if (!in || !out) return;
     double inside = in->features[c.feature], outside = out->features[c.feature];
     std::vector<double> a = in->input, b = out->input;
-    for (int k = 0; k < 40 && a.size() == b.size() && !stop_requested; ++k) {
-      const std::vector<double> x = point_between(series_, a, b, 0.5);
-      if (x.empty() || x == a || x == b || !series_.tested_law().valid(x)) break;
+    const auto closer = [&](double share) {
+      const std::vector<double> x = point_between(series_, a, b, share);
+      if (x.empty() || x == a || x == b || !series_.tested_law().valid(x)) return false;
       const auto t = trial_(x);
-      if (!t || (in_bands_ && !fails_in_(t->band))) break;
+      if (!t || (in_bands_ && !fails_in_(t->band))) return false;
       const double v = t->features[c.feature];
-      if (!(v >= std::min(inside, outside) && v <= std::max(inside, outside))) break;
+      if (!(v >= std::min(inside, outside) && v <= std::max(inside, outside))) return false;
       (t->failed ? inside : outside) = v;
       (t->failed ? a : b) = x;
-    }
+      return true;
+    };
+    // A vector between two that point elsewhere may be shorter than both, and longer ones are near the ends.
+    const double shares[] = {0.5, 0.25, 0.75, 0.1, 0.9};
+    for (int k = 0; k < 40 && a.size() == b.size() && !stop_requested; ++k)
+      if (std::ranges::none_of(shares, closer)) break;
     Condition moved = c;
     double to = rounded(inside, outside);
     if (name.written == Written::scale) {  // the shortest size, not the shortest logarithm

@@ -15,8 +15,9 @@ struct Condition {
   double low = 0, high = 0;
   std::uint64_t failed = 0, cases = 0;                ///< where it holds
   std::uint64_t failed_elsewhere = 0, elsewhere = 0;  ///< where it does not
-  double slope = 0;  ///< of log error over log feature, where it fails; 0 if a value is not positive
-  bool in_bands = false;                              ///< it separates the inputs of the failing bands only
+  /// Of the failing inputs: the feature, ascending, and the error, which is 1 if all digits are lost.
+  std::vector<std::pair<double, double>> errors;
+  bool in_bands = false;  ///< it separates the inputs of the failing bands only
   bool holds(const Features& f) const { return f[feature] >= low && f[feature] < high; }
 };
 
@@ -25,8 +26,8 @@ std::string text_of(const Condition& condition, const Scalar& scalar);
 
 /// The condition, of those that are no angle, that holds for nearly all failing inputs of an output and for few others; of all
 /// inputs, or else of those in the bands for which `fails_in` is true, if it is given. None if no condition separates, or if
-/// fewer than three inputs fail or pass. It measures the first 2000 cases of the seed, for at most half a second, then searches
-/// each border between a failing and a passing input by bisection.
+/// fewer than three inputs fail or pass. It measures the first 1000 cases of the seed, or 2000 if fewer than 20 of these
+/// fail, for at most 3 s, then searches each border between a failing and a passing input by bisection.
 std::optional<Condition> condition_of(const Series& series, std::size_t output, std::uint64_t seed,
                                       const std::function<bool(std::size_t band)>& fails_in = {});
 

@@ -12,13 +12,19 @@ namespace liecheck::properties {
 namespace {
 
 using Plain = std::vector<double>;  // numbers of a group or of an input
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// A round angle in a band [rad].
-double angle_in(const Band& b) {
-  if (b.axis == Axis::theta) return b.high == 0 ? 0 : b.low > 0 ? 3 * b.low : b.high / 2;
-  if (b.axis == Axis::pi_minus_theta) return b.low > 0 ? std::numbers::pi - 3 * b.low : std::numbers::pi;
-  if (b.region == Region::to_pi) return 1.5;
-  return b.low < 4 ? 4 : b.low < 10 ? 6 : 200;
+/// Round angles in a band [rad]: in its middle, and then near its edges, since a border may be between them.
+std::vector<double> angles_in(const Band& b) {
+  if (b.axis == Axis::none && b.region == Region::to_pi) return {1.5};
+  if (b.axis == Axis::none) return {b.low < 4 ? 4.0 : b.low < 10 ? 6.0 : 200.0};
+  std::vector<double> all;
+  for (const double share : {3.0, 1.5, 7.0})
+    if (share * b.low < b.high || all.empty())
+      all.push_back(b.axis == Axis::pi_minus_theta ? std::numbers::pi - share * b.low
+                    : b.low > 0                    ? share * b.low
+                                                   : b.high / 2);
+  return b.high > 0 && b.low > 0 ? all : std::vector<double>{all.front()};
 }
 
 /// The simple axes.
@@ -102,20 +108,27 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
                                    10 * score_of(series, j) >= std::min(band->score, 1 / series.eps));
   };
   const std::size_t fields = series.fields.size();
-  for (const BandOfFailure& band : bands)
+  const auto with_angle = [&](double angle) -> std::optional<Shrunk> {
     for (const Vectors& of : vectors)
       for (const double sign : {1.0, -1.0})
         for (std::size_t turned = fields + 1; turned-- > 0;)
           for (std::size_t axis = 0; axis < 3; ++axis) {
             if (turned < fields && !turns(series.fields[turned].kind)) continue;
             if (stop_requested) return std::nullopt;
-            const Plain x = taken(
-                series, input_of(series.fields, turned, angle_in(series.bands()[band.band]), axis, sign, of));
+            const Plain x = taken(series, input_of(series.fields, turned, angle, axis, sign, of));
             if (x.empty()) continue;
             const auto j = failure_of(series.measure(x), output);
-            if (!j || !as_bad(*j)) continue;
-            return case_with(series, worst, x, *j);
+            if (j && as_bad(*j)) return case_with(series, worst, x, *j);
           }
+    return std::nullopt;
+  };
+  for (const bool ordinary : {true, false})
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const BandOfFailure& band : bands) {
+        const std::vector<double> angles = angles_in(series.bands()[band.band]);
+        if (band.ordinary != ordinary || k >= angles.size()) continue;
+        if (auto found = with_angle(angles[k])) return found;
+      }
   return std::nullopt;
 }
 
@@ -132,23 +145,30 @@ std::optional<Crossing> angle_between(const Series& series, int output, double f
           for (const Judged& j : series.measure(x)) {
             if (j.residual.output != output) continue;
             const double own = score_of(series, j) / (j.budget ? j.budget->limit : 1);
-            most = std::max(most, !j.failed ? std::min(own, 1.0)
-                                  : j.residual.outcome != Outcome::measured
-                                      ? std::numeric_limits<double>::infinity()
-                                      : std::max(own, 1 + 1e-9));
+            most = std::max(most, !j.failed                                 ? std::min(own, 1.0)
+                                  : j.residual.outcome != Outcome::measured ? unbounded
+                                                                            : std::max(own, 1 + 1e-9));
           }
           return most;
         };
-        if (score(failing).value_or(0) <= 1 || score(passing).value_or(2) > 1) continue;
-        double in = failing, out = passing, beside = *score(passing);
-        for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
-          const double angle = std::sqrt(in * out);
-          const auto s = score(angle);
-          if (!s) break;
-          if (*s <= 1) beside = *s;
-          (*s > 1 ? in : out) = angle;
-        }
-        return Crossing{std::sqrt(in * out), beside};
+        const double worse = score(failing).value_or(0), better = score(passing).value_or(unbounded);
+        if (worse <= 1 || (better > 1 && better > worse / 30)) continue;
+        const auto crossing = [&](double level) {
+          double in = failing, out = passing, beside = better;
+          for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
+            const double angle = std::sqrt(in * out);
+            const auto s = score(angle);
+            if (!s) break;
+            if (*s <= level) beside = *s;
+            (*s > level ? in : out) = angle;
+          }
+          return Crossing{std::sqrt(in * out), beside};
+        };
+        // Where errors change at once, they cross both the limit and the middle of both errors there.
+        Crossing found = crossing(std::max(1.0, better));
+        if (found.passing >= 0.3 && std::isfinite(worse))
+          found.angle = crossing(std::max(1.0, std::sqrt(worse * better))).angle;
+        return found;
       }
   return std::nullopt;
 } catch (const GivenUp&) {  // a signal ended a call

@@ -6,10 +6,11 @@
 
 namespace liecheck::properties {
 
-/// A band, and the error or excess of its worst case.
+/// A band, the error or excess of its worst case, and whether somebody will meet its angles: these are tried first.
 struct BandOfFailure {
   std::size_t band;
   double score;
+  bool ordinary = true;
 };
 
 /// An input that fails with an outcome like `worst` in one of the bands, tried in their order: translations like (1, 2, 3),
@@ -20,10 +21,10 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
 
 struct Crossing {
   double angle;    ///< [rad]
-  double passing;  ///< error over limit of an input beside it that passes: near 1 where the error grows over the limit
+  double passing;  ///< error over limit of an input beside it, on the side of `passing`
 };
-/// Where plain inputs of an output cease to fail, by bisection between an angle at which they fail and one at which they
-/// pass; none if no plain input does so.
+/// Where the errors of plain inputs of an output change from those at an angle at which they fail to those at one at which they
+/// pass, or err by 30 times less, by bisection; none if no plain input does so.
 std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing);
 
 }  // namespace liecheck::properties

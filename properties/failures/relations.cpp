@@ -1,0 +1,300 @@
+#include <failures/relations.hpp>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <conventions/probe.hpp>
+#include <conventions/reference.hpp>
+#include <limits>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+using Quat = Eigen::Quaterniond;
+
+Vec3 vec3(const Numbers& x, std::size_t from) {
+  return Vec3(x.at(from), x.at(from + 1), x.at(from + 2));
+}
+Mat3 mat3(const Numbers& x, std::size_t from = 0) {
+  Mat3 m;
+  for (Eigen::Index i = 0; i < 9; ++i) m(i / 3, i % 3) = x.at(from + static_cast<std::size_t>(i));
+  return m;
+}
+Mat6 mat6(const Numbers& x) {
+  Mat6 m;
+  for (Eigen::Index i = 0; i < 36; ++i) m(i / 6, i % 6) = x.at(static_cast<std::size_t>(i));
+  return m;
+}
+/// Of the numbers x, y, z, w; of unit norm but for rounding.
+Quat quat(const Numbers& x, std::size_t from = 0) {
+  return Quat(x.at(from + 3), x.at(from), x.at(from + 1), x.at(from + 2)).normalized();
+}
+Numbers joined(std::initializer_list<Numbers> parts) {
+  Numbers all;
+  for (const Numbers& p : parts) all.insert(all.end(), p.begin(), p.end());
+  return all;
+}
+Numbers numbers(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+Numbers numbers(const Quat& q) {
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+template <int N>
+Numbers numbers(const Eigen::Matrix<double, N, N, Eigen::RowMajor>& m) {
+  return Numbers(m.data(), m.data() + m.size());
+}
+Numbers cut(const Numbers& x, std::size_t from, std::size_t size) {
+  return Numbers(x.begin() + static_cast<std::ptrdiff_t>(from),
+                 x.begin() + static_cast<std::ptrdiff_t>(from + size));
+}
+Numbers minus(Numbers x) {
+  for (double& number : x) number = -number;
+  return x;
+}
+Numbers exact(const char* name, const Numbers& arguments) {
+  const std::vector<oracles::Real> x(arguments.begin(), arguments.end());
+  Numbers result;
+  for (const oracles::Real& r : conventions::exact_result(conventions::operation_named(name), x))
+    result.push_back(static_cast<double>(r));
+  return result;
+}
+Quat quat_of(const Mat3& R) {
+  return Quat(Eigen::Matrix3d(R)).normalized();
+}
+Mat6 adjoint(const Mat3& R, const Vec3& p) {
+  Mat3 cross;
+  cross << 0, -p[2], p[1], p[2], 0, -p[0], -p[1], p[0], 0;
+  Mat6 Ad = Mat6::Zero();
+  Ad.topLeftCorner<3, 3>() = Ad.bottomRightCorner<3, 3>() = R;
+  Ad.topRightCorner<3, 3>() = cross * R;
+  return Ad;
+}
+/// The 6 x 6 Jacobian of the diagonal block J, with the given coupling block.
+Numbers jacobian6(const Mat3& J, const Mat3& coupling) {
+  Mat6 all = Mat6::Zero();
+  all.topLeftCorner<3, 3>() = all.bottomRightCorner<3, 3>() = J;
+  all.topRightCorner<3, 3>() = coupling;
+  return numbers<6>(all);
+}
+Mat3 coupling_of(const Numbers& J6) {
+  return mat6(J6).topRightCorner<3, 3>();
+}
+
+/// Of a rotation vector that is not predicted, but taken from the result.
+const Numbers unknown(3, std::numeric_limits<double>::quiet_NaN());
+
+/// The pose from the body at q0 to the body at q1.
+Numbers relative_pose(const Numbers& x) {
+  const Quat q0 = quat(x, 3), q1 = quat(x, 10);
+  return joined({numbers<3>(Mat3((q0.conjugate() * q1).toRotationMatrix())),
+                 numbers(Vec3(q0.conjugate() * (vec3(x, 7) - vec3(x, 0))))});
+}
+Numbers relative_quaternion(const Numbers& x, std::size_t first, std::size_t second) {
+  const Quat a(x[first + 3], x[first], x[first + 1], x[first + 2]),
+      b(x[second + 3], x[second], x[second + 1], x[second + 2]);
+  return numbers(a.conjugate() * b);
+}
+Numbers rho_of(const Mat3& J_inverse, const Vec3& p) {
+  return numbers(Vec3(J_inverse * p));
+}
+Numbers with_rho(const Numbers& phi, const Vec3& p) {
+  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
+}
+/// exp6 of the rotation R and phi, with the exact translation.
+Numbers exp_of(const Mat3& R, const Numbers& x) {
+  return joined({numbers<3>(R), numbers(Vec3(mat3(exact("left_jacobian3", cut(x, 3, 3))) * vec3(x, 0)))});
+}
+/// q0 and then a pose (R, p) or a rotation Q and a translation p.
+Numbers moved(const Numbers& x, const Quat& Q, const Vec3& p) {
+  return joined({numbers(Vec3(vec3(x, 0) + quat(x, 3) * p)), numbers(quat(x, 3) * Q)});
+}
+
+/// The pose in the plane from the body at q0 to the body at q1.
+Numbers relative_planar_pose(const Numbers& x) {
+  const double c = x[2], s = x[3];
+  return exact("se2_compose", joined({{-c * x[0] - s * x[1], s * x[0] - c * x[1], c, -s}, cut(x, 4, 4)}));
+}
+
+double apart(const Numbers& a, const Numbers& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - b[i]));
+  return most;
+}
+/// The derivative of a difference by a Jacobian at the exact difference; if that is wrong, too, at the subject's own
+/// difference, if it has one, whose errors may be those of the same Jacobian.
+template <class Jacobian>
+Numbers by_difference(const CallOf& c, const char* operation, const Jacobian& jacobian) {
+  const Numbers right = exact(operation, c.x), by_exact = jacobian(exact("difference", c.x));
+  try {
+    const Numbers by_own = jacobian(c.own("difference", c.x));
+    return apart(by_exact, right) > apart(by_own, right) / 30 ? by_own : by_exact;
+  } catch (const std::domain_error&) {  // it has no difference, or refuses the arguments
+    return by_exact;
+  }
+}
+
+const Relation all_relations[] = {
+    {"exp3_matrix", "exp3_quaternion",
+     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+    {"log3_matrix", "log3_quaternion",
+     [](const CallOf& c) -> Numbers { return c.part(numbers(quat_of(mat3(c.x)))); }},
+    {"exp6", "exp3_matrix",
+     [](const CallOf& c) -> Numbers { return exp_of(mat3(c.part(cut(c.x, 3, 3))), c.x); }},
+    {"exp6", "exp3_quaternion",
+     [](const CallOf& c) -> Numbers {
+       return exp_of(Mat3(quat(c.part(cut(c.x, 3, 3))).toRotationMatrix()), c.x);
+     }},
+    {"exp6", "left_jacobian3",
+     [](const CallOf& c) -> Numbers {
+       return joined(
+           {cut(exact("exp6", c.x), 0, 9), numbers(Vec3(mat3(c.part(cut(c.x, 3, 3))) * vec3(c.x, 0)))});
+     }},
+    {"exp6", "left_jacobian3",  // as the rotation times the right Jacobian, which is the left one of -phi
+     [](const CallOf& c) -> Numbers {
+       const Numbers all = exact("exp6", c.x);
+       return joined(
+           {cut(all, 0, 9), numbers(Vec3(mat3(all) * mat3(c.part(minus(cut(c.x, 3, 3)))) * vec3(c.x, 0)))});
+     }},
+    {"log6", "log3_matrix",
+     [](const CallOf& c) -> Numbers { return with_rho(c.part(cut(c.x, 0, 9)), vec3(c.x, 9)); }},
+    {"log6", "log3_quaternion",
+     [](const CallOf& c) -> Numbers { return with_rho(c.part(numbers(quat_of(mat3(c.x)))), vec3(c.x, 9)); }},
+    {"log6", "left_jacobian3_inverse",
+     [](const CallOf& c) -> Numbers {
+       return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(c.x, 9)), unknown});
+     }},
+    {"log6", "log6",
+     [](const CallOf& c) -> Numbers {
+       return joined({cut(with_rho(cut(c.got, 3, 3), vec3(c.x, 9)), 0, 3), unknown});
+     }},
+    {"integrate", "exp6",
+     [](const CallOf& c) -> Numbers {
+       const Numbers X = c.part(cut(c.x, 7, 6));
+       return moved(c.x, quat_of(mat3(X)), vec3(X, 9));
+     }},
+    {"integrate", "exp3_quaternion",
+     [](const CallOf& c) -> Numbers {
+       return moved(c.x, quat(c.part(cut(c.x, 10, 3))), vec3(exact("exp6", cut(c.x, 7, 6)), 9));
+     }},
+    {"integrate", "left_jacobian3",
+     [](const CallOf& c) -> Numbers {
+       return moved(c.x, quat_of(mat3(exact("exp6", cut(c.x, 7, 6)))),
+                    mat3(c.part(cut(c.x, 10, 3))) * vec3(c.x, 7));
+     }},
+    {"difference", "log6", [](const CallOf& c) -> Numbers { return c.part(relative_pose(c.x)); }},
+    {"difference", "log3_quaternion",
+     [](const CallOf& c) -> Numbers {
+       return with_rho(c.part(relative_quaternion(c.x, 3, 10)), vec3(relative_pose(c.x), 9));
+     }},
+    {"difference", "log3_matrix",
+     [](const CallOf& c) -> Numbers {
+       return with_rho(c.part(cut(relative_pose(c.x), 0, 9)), vec3(relative_pose(c.x), 9));
+     }},
+    {"difference", "left_jacobian3_inverse",
+     [](const CallOf& c) -> Numbers {
+       return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(relative_pose(c.x), 9)), unknown});
+     }},
+    {"difference", "difference",
+     [](const CallOf& c) -> Numbers {
+       return joined({cut(with_rho(cut(c.got, 3, 3), vec3(relative_pose(c.x), 9)), 0, 3), unknown});
+     }},
+    {"d_integrate_arg0", "exp6",
+     [](const CallOf& c) -> Numbers {
+       const Numbers X = c.part(minus(cut(c.x, 7, 6)));
+       return numbers<6>(adjoint(mat3(X), vec3(X, 9)));
+     }},
+    {"d_integrate_arg0", "exp6",
+     [](const CallOf& c) -> Numbers {
+       const Numbers X = c.part(cut(c.x, 7, 6));
+       const Mat3 R = mat3(X).transpose();
+       return numbers<6>(adjoint(R, Vec3(-R * vec3(X, 9))));
+     }},
+    {"d_integrate_arg1", "right_jacobian6",
+     [](const CallOf& c) -> Numbers { return c.part(cut(c.x, 7, 6)); }},
+    {"d_difference_arg0", "left_jacobian6_inverse",
+     [](const CallOf& c) -> Numbers {
+       return by_difference(c, "d_difference_arg0",
+                            [&](const Numbers& delta) { return minus(c.part(delta)); });
+     }},
+    {"d_difference_arg0", "right_jacobian6_inverse",
+     [](const CallOf& c) -> Numbers {
+       return by_difference(c, "d_difference_arg0",
+                            [&](const Numbers& delta) { return minus(c.part(minus(delta))); });
+     }},
+    {"d_difference_arg0", "difference",
+     [](const CallOf& c) -> Numbers { return minus(exact("left_jacobian6_inverse", c.part(c.x))); }},
+    {"d_difference_arg1", "right_jacobian6_inverse",
+     [](const CallOf& c) -> Numbers { return by_difference(c, "d_difference_arg1", c.part); }},
+    {"d_difference_arg1", "left_jacobian6_inverse",
+     [](const CallOf& c) -> Numbers {
+       return by_difference(c, "d_difference_arg1",
+                            [&](const Numbers& delta) { return c.part(minus(delta)); });
+     }},
+    {"d_difference_arg1", "difference",
+     [](const CallOf& c) -> Numbers { return exact("right_jacobian6_inverse", c.part(c.x)); }},
+    {"right_jacobian3", "left_jacobian3", [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian3_inverse", "left_jacobian3_inverse",
+     [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian6", "left_jacobian6", [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"right_jacobian6_inverse", "left_jacobian6_inverse",
+     [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
+    {"left_jacobian3_inverse", "left_jacobian3",
+     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(mat3(c.part(c.x)).inverse())); }},
+    {"left_jacobian6", "left_jacobian3",
+     [](const CallOf& c) -> Numbers {
+       return jacobian6(mat3(c.part(cut(c.x, 3, 3))), coupling_of(exact("left_jacobian6", c.x)));
+     }},
+    {"left_jacobian6_inverse", "left_jacobian3_inverse",
+     [](const CallOf& c) -> Numbers {
+       const Mat3 J = mat3(c.part(cut(c.x, 3, 3)));
+       return jacobian6(J, Mat3(-J * coupling_of(exact("left_jacobian6", c.x)) * J));
+     }},
+    {"left_jacobian6_inverse", "left_jacobian6",
+     [](const CallOf& c) -> Numbers {
+       const Mat3 J = mat3(exact("left_jacobian3_inverse", cut(c.x, 3, 3)));
+       return jacobian6(J, Mat3(-J * coupling_of(c.part(c.x)) * J));
+     }},
+    {"relative_angle", "log3_quaternion",
+     [](const CallOf& c) -> Numbers { return {vec3(c.part(relative_quaternion(c.x, 0, 4)), 0).norm()}; }},
+    {"slerp", "log3_quaternion",
+     [](const CallOf& c) -> Numbers {
+       Numbers phi = c.part(relative_quaternion(c.x, 0, 4));
+       for (double& number : phi) number *= c.x[8];
+       return numbers(quat(c.x) * quat(exact("exp3_quaternion", phi)));
+     }},
+    {"rotate_point_any_norm", "rotate_point", [](const CallOf& c) -> Numbers { return c.part(c.x); }},
+    {"log3_any_norm", "log3_quaternion", [](const CallOf& c) -> Numbers { return c.part(c.x); }},
+    {"integrate_any_norm", "integrate", [](const CallOf& c) -> Numbers { return c.part(c.x); }},
+    {"difference_any_norm", "difference", [](const CallOf& c) -> Numbers { return c.part(c.x); }},
+    {"d_difference_any_norm", "d_difference_arg1", [](const CallOf& c) -> Numbers { return c.part(c.x); }},
+    {"se2_integrate", "se2_exp",
+     [](const CallOf& c) -> Numbers {
+       return exact("se2_compose", joined({cut(c.x, 0, 4), c.part(cut(c.x, 4, 3))}));
+     }},
+    {"se2_difference", "se2_log",
+     [](const CallOf& c) -> Numbers { return c.part(relative_planar_pose(c.x)); }},
+    {"euler_to_matrix", "euler_to_quaternion",
+     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+    {"euler_to_quaternion", "exp3_quaternion",  // both by way of a matrix
+     [](const CallOf& c) -> Numbers {
+       return c.part(exact("log3_quaternion", exact("euler_to_quaternion", c.x)));
+     }},
+    {"euler_from_quaternion", "euler_from_matrix",
+     [](const CallOf& c) -> Numbers {
+       return c.part(joined({{c.x[0]}, numbers<3>(Mat3(quat(c.x, 1).toRotationMatrix()))}));
+     }},
+};
+
+}  // namespace
+
+std::span<const Relation> relations() {
+  return all_relations;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,27 @@
+#pragma once
+// How results of operations follow from those of others, as libraries compute them.
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace liecheck::properties {
+
+using Numbers = std::vector<double>;
+
+/// A call of an operation with the arguments x, and a part of the operation, or any other one, as the subject computes it.
+struct CallOf {
+  const Numbers &x, &got;
+  std::function<Numbers(const Numbers&)> part;
+  std::function<Numbers(const char* operation, const Numbers&)> own;
+};
+/// How the result of an operation follows from one of its parts.
+struct Relation {
+  const char *of, *part;
+  Numbers (*result)(const CallOf&);
+};
+
+/// Its parts are called at what their arguments are in an exact calculation.
+std::span<const Relation> relations();
+
+}  // namespace liecheck::properties
