@@ -117,10 +117,16 @@ class Inside {
     for (const int crash : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
       if (const auto earlier = std::signal(crash, on_crash); earlier != SIG_DFL) std::signal(crash, earlier);
     std::signal(SIGALRM, [](int) {
-      if (inside > 0)
-        say({last_library.load(), ": ", last_operation.load(),
-             " runs in this process and has not returned since the signal: a second signal ends the "
-             "program\n"});
+      if (inside == 0) return;
+      static std::atomic<bool> said = false;
+      if (said.exchange(true)) {
+        say({last_library.load(), ": ", last_operation.load(), " did not return: its results are lost\n"});
+        ::_exit(3);
+      }
+      say({last_library.load(), ": ", last_operation.load(),
+           " runs in this process and has not returned since the signal: a second signal ends the "
+           "program, and so do ten seconds\n"});
+      ::alarm(9);
     });
     tells_what_it_waits_for = true;
   }

@@ -213,6 +213,15 @@ TEST(BadCitizens, ThatNeverAnswerInTheProcessOfTheProgramAreNamedAfterASignal) {
   EXPECT_EQ(code, 128 + SIGHUP) << text;
 }
 
+TEST(BadCitizens, ThatNeverAnswerInTheProcessOfTheProgramEndItTenSecondsAfterASignal) {
+  const auto [code, text] =
+      shell("(LIECHECK_BAD=always timeout 60 " LIECHECK_PROGRAM
+            " campaign --no-hard-cases --no-probe -j 1 --adapter in-process:" LIECHECK_BAD_CITIZENS
+            " 2>&1 & p=$!; sleep 1; pkill -TERM -P $p; wait $p)");
+  EXPECT_NE(text.find("bad: exp3_quaternion did not return: its results are lost"), text.npos) << text;
+  EXPECT_EQ(code, 3) << text;
+}
+
 // Of an adapter that takes trees from URDFs only, a campaign without one does not call the functions on trees.
 TEST(TreesOfUrdfs, AreNotMeasuredWithoutOneWhichIsSaidAndIsNoPass) {
   std::ostringstream text;
