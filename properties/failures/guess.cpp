@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <conventions/probe.hpp>
+#include <failures/alternatives.hpp>
 #include <failures/blocks.hpp>
 #include <failures/calls.hpp>
 #include <failures/shapes.hpp>
@@ -63,6 +64,10 @@ std::string of_not_finite(const FailedBlock& f) {
   }
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
+  if (operation_of(f) == "log3_matrix" && largest < 0 && !beyond && other)
+    return "the root of a negative number: of the formulas for a negative trace, that of the largest entry "
+           "of the diagonal must "
+           "be taken";
   if (elsewhere * 10 > f.failed && !has_angle(f) && (beyond || other || near_pi)) return "";
   if (other || near_pi || (largest < 0 && !beyond)) return "";
   if (largest < 0) return "theta^2 or a power of it overflows";
@@ -220,6 +225,7 @@ std::string guess_of(const FailedBlock& f) {
   const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
+  if (std::string guess = alternative_of(f); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     if (std::string guess = of_wrong_angle(f); !guess.empty()) return guess;
     if (m.wrong * 3 <= m.all) return "";

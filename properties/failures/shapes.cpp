@@ -171,6 +171,20 @@ class Shape {
     return peak_ >= 4 && near_root(std::pow(10, p(peak_).x)) && y(peak_ + 2) > 0 && y(peak_ + 2) < y(peak_) &&
            std::fabs(y(peak_) - y(peak_ - 1)) < jump && (grows_up_to(peak_ - 1) || grows_up_to(peak_));
   }
+  /// Whether the largest errors below the root of eps are those of the root of eps, and fall above it.
+  bool keeps_half() const {
+    const double half = -std::log10(root_);
+    std::size_t below = 0, as_large = 0;
+    while (below < size() && p(below).x < std::log10(root_)) as_large += std::fabs(raw(below++) - half) < 0.8;
+    return is_rotation_vector(f_) && as_large >= 3 && peak_ <= below && raw(peak_) < half + 0.8 &&
+           y(below) > 0 && y(below + 2) < y(below);
+  }
+  /// The number of the lowest bands in which all digits are lost, if the next one is right.
+  std::size_t wrong_bands() const {
+    std::size_t wrong = 0;
+    while (wrong < size() && p(wrong).lost) ++wrong;
+    return wrong > 2 && wrong < size() && y(wrong) < 1 ? wrong : 0;
+  }
   std::string below_cutoff() const {
     Point next{};
     next.x = 0.3, next.low = 1, next.high = 2;  // moderate angles are no band of this axis
@@ -299,6 +313,19 @@ std::string Shape::near_pi() const {
       return "1 + cos(theta), or the cross product of the arguments, cancels where they are nearly opposite";
     return "";
   }
+  if (const std::size_t wrong = operation_of(f_) == "log3_matrix" ? wrong_bands() : 0)
+    return fmt::format(
+        "a threshold at pi - theta about {}, below which the axis has wrong signs: the roots of the diagonal "
+        "of R have none",
+        border(p(wrong - 1), p(wrong)));
+  if (keeps_half())
+    return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
+  if (const auto start = sharp_start())
+    return fmt::format(
+        "a threshold at pi - theta about {}: beyond it something is divided by sin(theta) or sqrt(1 + "
+        "trace), which cancel near "
+        "pi",
+        border(p(*start), p(*start - 1)));
   if (is_of_cosine())
     return fmt::format(
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: (1 + cos(theta)) / "
