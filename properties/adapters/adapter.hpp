@@ -58,7 +58,7 @@ Outcome outcome_of(Status status);
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see operations/numbers.hpp.
 struct Batch {
-  const OperationSizes& operation;  ///< one of all_sizes(), or of an operation on `model`
+  const OperationSizes& operation;  ///< of all_sizes() or quaternion_sizes(), or an operation on `model`
   bool is_double;
   std::size_t n;
   std::span<const std::byte> inputs;

@@ -138,6 +138,7 @@ Checked check_poses(Adapter& adapter) {
   if (right(all) || !converted) return all;
   const conventions::Statements& stated = adapter.description().conventions;
   for (const auto& [name, value] : stated) {
+    if (name == conventions::pose_form) continue;  // it says how many numbers the adapter reads
     conventions::Statements others = stated;
     others.erase(name);
     Converted without = converted->with(others);

@@ -241,7 +241,7 @@ class Library final : public Adapter {
     std::shared_ptr<Handle> model;
     CFunction function;
     if (b.model.empty()) {
-      function = functions_[index(b)][b.is_double];
+      function = functions_[place_of(b.operation)][b.is_double];
     } else {
       std::string why;
       model = handle_of(b.model, why);
@@ -258,7 +258,7 @@ class Library final : public Adapter {
   }
   std::string repeated(const Batch& b) override {
     if (!b.model.empty()) return "";
-    const std::size_t at = index(b);
+    const std::size_t at = place_of(b.operation);
     const Inside inside(adapter_.name, b.operation.operation);
     return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_.thread_safe);
   }
@@ -326,9 +326,6 @@ class Library final : public Adapter {
       if (std::ranges::includes(numbers_of(b, other), kept)) return all(Status::output_unwritten), "";
     }
     return "";
-  }
-  static std::size_t index(const Batch& b) {
-    return static_cast<std::size_t>(&b.operation - all_sizes().data());
   }
   std::string called(const Batch& b, const CFunction& function) const try {
     std::ranges::fill(b.status, Status::done);

@@ -249,7 +249,7 @@ class LibraryProcess final : public Process {
     return why;
   }
   static std::uint32_t place_of(const Batch& b) {
-    if (b.model.empty()) return static_cast<std::uint32_t>(&b.operation - all_sizes().data());
+    if (b.model.empty()) return static_cast<std::uint32_t>(adapters::place_of(b.operation));
     const auto at = std::ranges::find(model_operations(), b.operation.operation, &Operation::name);
     return static_cast<std::uint32_t>(all_sizes().size() +
                                       static_cast<std::size_t>(at - model_operations().begin()));

@@ -18,7 +18,9 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <operations/quaternion_poses.hpp>
 #include <optional>
 #include <subjects/number_function.hpp>
 #include <subjects/remote.hpp>
@@ -31,6 +33,10 @@ namespace {
 
 constexpr double timeout_s = 5;  ///< of a call
 constexpr std::string_view inside = "in-process:";
+
+bool is_pose_at(const Layout* layout) {
+  return is_pose(*layout);
+}
 
 /// What was typed, and how to start it once more: every thread has an adapter of its own.
 struct Source {
@@ -91,8 +97,10 @@ void register_one(int number, const std::string& text, const Description& d, con
   if (std::ranges::none_of(d.offered, [&](const auto& o) { return o.second == scalar.name; })) return;
   Subject s{d.name, d.version, text, &scalar};
   s.takes = {oracles::JointSet(d.joints), d.orders};
+  s.takes.quaternion_poses = conventions::has_quaternion_poses(d.conventions);
   fill_slots(s.operations, [&](const Operation& o) {
     NumberFunction f{&o, &scalar};
+    f.quaternion_poses = s.takes.quaternion_poses;
     if (offers(o.name))
       f.compute = [number, &scalar, &sizes = *sizes_of(o.name)](const void* in, void* out) {
         call_numbers(number, sizes, scalar, in, out);
@@ -237,6 +245,23 @@ const std::vector<OperationSizes>& all_sizes() {
     return sizes;
   }();
   return all;
+}
+const std::vector<OperationSizes>& quaternion_sizes() {
+  static const std::vector<OperationSizes> all = [] {
+    std::vector<OperationSizes> sizes = all_sizes();
+    std::size_t at = 0;
+    SpatialSlots<Doubles>::for_each([&](const Operation& o) {
+      sizes[at].inputs -= 5 * static_cast<std::size_t>(std::ranges::count_if(o.arguments, is_pose_at));
+      sizes[at++].results -= 5 * static_cast<std::size_t>(std::ranges::count_if(o.results, is_pose_at));
+    });
+    return sizes;
+  }();
+  return all;
+}
+std::size_t place_of(const OperationSizes& sizes) {
+  const OperationSizes* const from = all_sizes().data();
+  const bool is_of_all = !std::less<>()(&sizes, from) && std::less<>()(&sizes, from + all_sizes().size());
+  return static_cast<std::size_t>(&sizes - (is_of_all ? from : quaternion_sizes().data()));
 }
 std::span<const OperationSizes> operation_sizes() {
   return std::span(all_sizes()).first(all_sizes().size() - 2);

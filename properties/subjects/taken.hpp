@@ -10,6 +10,7 @@ struct Taken {
   static constexpr std::uint32_t every_order = (1u << 24) - 1;
   oracles::JointSet joints;            ///< of its trees
   std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
+  bool quaternion_poses = false;  ///< its poses are (p, Q): operations/quaternion_poses.hpp
 };
 
 }  // namespace liecheck::properties
