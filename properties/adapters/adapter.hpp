@@ -31,7 +31,7 @@ struct Description {
   conventions::Statements conventions;                    ///< those that it states
   std::map<std::string, std::string> source =
       {};                                  ///< programs by operation: docs/adapters.md, Reading a failure
-  std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf"
+  std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf", and "mimics", which it couples
   std::set<std::string> joints = {};       ///< kinds of joints; empty for all
   std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames
   std::uint32_t orders = Taken::every_order;  ///< of Euler angles: bit k for order k, found by asking

@@ -198,7 +198,8 @@ class Library final : public Adapter {
     if (!adapter_.find_model_call || !adapter_.open_model)
       throw AdapterFailed(fmt::format("{} has no {}, without which it takes no model", file,
                                       adapter_.open_model ? "find_model_call" : "open_model"));
-    description_.models = names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf"}, file);
+    description_.models =
+        names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf", "mimics"}, file);
     if (description_.models.empty()) throw AdapterFailed(fmt::format("{} has an empty list of models", file));
     if (adapter_.joints) description_.joints = names_in(adapter_.joints, joint_names(), file);
     if (const char* const names = references ? references() : nullptr)

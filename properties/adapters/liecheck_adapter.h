@@ -84,7 +84,7 @@ struct liecheck_adapter {
   liecheck_call (*find_call)(void* context, const char* operation, const char* scalar);
 
   /* Trees and robots: docs/adapters.md. */
-  const char* models; /* "joints", "urdf" or "joints, urdf": those that open_model takes */
+  const char* models; /* "joints", "urdf" or both; with "mimics", it couples those of a URDF */
   const char* joints; /* "revolute, prismatic": the kinds of joints that it takes; NULL for all */
   /* A handle for the model, or NULL if it is refused; reason() says why. `model` is valid during the call only. */
   void* (*open_model)(void* context, const struct liecheck_model* model);

@@ -95,7 +95,7 @@ Description described(const std::string& line) {
   }
   const nlohmann::json trees = j.value("trees", nlohmann::json::object());
   if (!trees.is_object()) throw wrong("has no object 'trees'");
-  d.models = names_in(trees, "models", {"joints", "urdf"}, d.models, wrong);
+  d.models = names_in(trees, "models", {"joints", "urdf", "mimics"}, d.models, wrong);
   d.joints = names_in(trees, "joints", joint_names(), d.joints, wrong);
   d.references = names_in(trees, "references", {"world", "local", "aligned"}, d.references, wrong);
   return d;

@@ -98,6 +98,7 @@ void register_one(int number, const std::string& text, const Description& d, con
   Subject s{d.name, d.version, text, &scalar};
   s.takes = {oracles::JointSet(d.joints), d.orders};
   s.takes.quaternion_poses = conventions::has_quaternion_poses(d.conventions);
+  s.takes.reads_urdf = d.models.contains("urdf"), s.takes.mimics = d.models.contains("mimics");
   fill_slots(s.operations, [&](const Operation& o) {
     NumberFunction f{&o, &scalar};
     f.quaternion_poses = s.takes.quaternion_poses;
@@ -130,9 +131,9 @@ void register_one(int number, const std::string& text, const Description& d, con
       return o;
     };
   if (offers_robots(d, in))
-    s.operations.robot = [&scalar, route](const std::string& urdf, bool fixed) {
+    s.operations.robot = [&scalar, route, mimics = s.takes.mimics](const std::string& urdf, bool fixed) {
       RobotOperations<double> o;
-      fill_robot(o, urdf, fixed, scalar, route);
+      fill_robot(o, *urdf_model(urdf, fixed, mimics), scalar, route);
       return o;
     };
   register_subject(std::move(s));

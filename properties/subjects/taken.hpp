@@ -11,6 +11,8 @@ struct Taken {
   oracles::JointSet joints;            ///< of its trees
   std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
   bool quaternion_poses = false;  ///< its poses are (p, Q): operations/quaternion_poses.hpp
+  bool reads_urdf = false;        ///< with a reader of its own
+  bool mimics = false;            ///< this reader couples mimic joints
 };
 
 }  // namespace liecheck::properties
