@@ -34,7 +34,8 @@ struct Description {
   std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf", and "mimics", which it couples
   std::set<std::string> joints = {};       ///< kinds of joints; empty for all
   std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames
-  std::uint32_t orders = Taken::every_order;  ///< of Euler angles: bit k for order k, found by asking
+  Taken taken = {};  ///< what its arguments may be, found by asking; its joints are above
+  std::set<std::string> refused_references = {};  ///< found by asking; they are not among its references
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

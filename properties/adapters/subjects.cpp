@@ -3,6 +3,7 @@
 #include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
+#include <adapters/asked.hpp>
 #include <adapters/chosen.hpp>
 #include <adapters/converted.hpp>
 #include <adapters/exchange.hpp>
@@ -96,7 +97,8 @@ void register_one(int number, const std::string& text, const Description& d, con
   };
   if (std::ranges::none_of(d.offered, [&](const auto& o) { return o.second == scalar.name; })) return;
   Subject s{d.name, d.version, text, &scalar};
-  s.takes = {oracles::JointSet(d.joints), d.orders};
+  s.takes = d.taken;
+  s.takes.joints = oracles::JointSet(d.joints);
   s.takes.quaternion_poses = conventions::has_quaternion_poses(d.conventions);
   s.takes.reads_urdf = d.models.contains("urdf"), s.takes.mimics = d.models.contains("mimics");
   fill_slots(s.operations, [&](const Operation& o) {
@@ -105,6 +107,14 @@ void register_one(int number, const std::string& text, const Description& d, con
     if (offers(o.name))
       f.compute = [number, &scalar, &sizes = *sizes_of(o.name)](const void* in, void* out) {
         call_numbers(number, sizes, scalar, in, out);
+      };
+    if (f.compute && lacks_kinds(o, d.taken))
+      f.compute = [call = f.compute, &scalar, &o, taken = d.taken](void* in, void* out) {
+        scalar.with([&]<class S>() {
+          const auto* const numbers = static_cast<const S*>(in);
+          check_kinds(o, taken, std::vector<double>(numbers, numbers + count_numbers(o.arguments)));
+        });
+        call(in, out);
       };
     return f;
   });
@@ -167,32 +177,6 @@ std::unique_ptr<Adapter> as_called(std::unique_ptr<Adapter> own) {
   return std::make_unique<Chosen>(std::make_unique<Converted>(std::move(own), stated));
 }
 
-/// The orders of Euler angles that the adapter does not refuse in all of its operations; all if a call has no answer.
-std::uint32_t orders_of(Adapter& adapter) try {
-  std::uint32_t taken = 0;
-  for (const OperationSizes& o : operation_sizes())
-    for (const Scalar* scalar : {&oracles::scalar_of<double>, &oracles::scalar_of<float>}) {
-      const Operation& operation = conventions::operation_named(o.operation);
-      if (!conventions::has_order(operation) ||
-          !adapter.description().offered.contains({std::string(o.operation), std::string(scalar->name)}))
-        continue;
-      scalar->with([&]<class S>() {
-        const std::vector<std::vector<double>> some = conventions::probe_arguments<S>(operation);
-        for (int order = 0; order < 24; ++order) {
-          std::vector<S> inputs(some.at(0).begin(), some.at(0).end()), results(o.results);
-          inputs.at(0) = S(order);
-          std::array<Status, 1> status{};
-          adapter.call({o, !scalar->is_float(), 1, std::as_bytes(std::span(inputs)),
-                        std::as_writable_bytes(std::span(results)), status});
-          if (status[0] != Status::refused) taken |= 1u << order;
-        }
-      });
-    }
-  return taken ? taken : Taken::every_order;
-} catch (const AdapterFailed&) {
-  return Taken::every_order;
-}
-
 /// Registers the subject of an adapter. Every thread uses it or, if it is not `in_process`, starts it once more.
 std::string register_as(const std::string& text, const std::string& name, bool in_process,
                         const std::function<std::shared_ptr<Adapter>()>& start_first) {
@@ -207,7 +191,11 @@ std::string register_as(const std::string& text, const std::string& name, bool i
     const std::shared_ptr<Adapter> first = start_first();
     d = first->description();
     if (!name.empty()) d.name = name;
-    d.orders = orders_of(*first);
+    ask_for_kinds(*first, d.taken);
+    const std::set<std::string> references = references_taken(*first);
+    std::ranges::set_difference(d.references, references,
+                                std::inserter(d.refused_references, d.refused_references.end()));
+    d.references = references;
     if (in_process) source.in_process = first;
   } catch (const AdapterFailed& e) {
     refuse(e.what());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <adapters/asked.hpp>
 #include <adapters/check.hpp>
 #include <adapters/child.hpp>
 #include <adapters/subjects.hpp>
@@ -126,6 +127,7 @@ std::vector<std::string> AdapterFlags::outside(const Robot& robot) const {
   for (const std::string& adapter : adapters) {
     const adapters::Description* const d = adapters::description_of(adapter);
     if (!d) continue;
+    for (const std::string& sentence : adapters::refusals(*d)) all.push_back(sentence);
     if (robot.mimics && d->models.contains("urdf") && !d->models.contains("mimics"))
       all.push_back(fmt::format(
           "{} reads {} itself, which has mimic joints: they are independent joints here, and what "

@@ -163,7 +163,7 @@ struct AdapterFlags {
   /// The operations that a convention concerns in which an adapter differs are withheld, because nearly every case would
   /// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
   Differences withhold_others(bool quiet = false) const;
-  /// What is outside the domain of each adapter: the mimics of a robot that it does not take.
+  /// What is outside the domain of each adapter: what it refuses, and the mimics of a robot that it does not take.
   std::vector<std::string> outside(const Robot& robot) const;
 };
 
