@@ -12,9 +12,13 @@ namespace liecheck::properties::league {
 
 namespace {
 
-/// A shared library is called in this process without a copy of its arguments in shared memory.
+/// A shared library is called in this process without a copy of its arguments in shared memory, if they have liecheck's
+/// form.
 std::unique_ptr<adapters::Adapter> quick(const std::string& adapter) {
-  return adapter.ends_with(".so") ? adapters::load_library(adapter, false) : adapters::start(adapter);
+  if (!adapter.ends_with(".so")) return adapters::start(adapter);
+  auto library = adapters::load_library(adapter, false);
+  if (conventions::has_quaternion_poses(library->description().conventions)) return adapters::start(adapter);
+  return library;
 }
 
 template <class S>

@@ -31,10 +31,11 @@ struct Description {
   conventions::Statements conventions;                    ///< those that it states
   std::map<std::string, std::string> source =
       {};                                  ///< programs by operation: docs/adapters.md, Reading a failure
-  std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf"
+  std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf", and "mimics", which it couples
   std::set<std::string> joints = {};       ///< kinds of joints; empty for all
   std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames
-  std::uint32_t orders = Taken::every_order;  ///< of Euler angles: bit k for order k, found by asking
+  Taken taken = {};  ///< what its arguments may be, found by asking; its joints are above
+  std::set<std::string> refused_references = {};  ///< found by asking; they are not among its references
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared
@@ -58,7 +59,7 @@ Outcome outcome_of(Status status);
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see operations/numbers.hpp.
 struct Batch {
-  const OperationSizes& operation;  ///< one of all_sizes(), or of an operation on `model`
+  const OperationSizes& operation;  ///< of all_sizes() or quaternion_sizes(), or an operation on `model`
   bool is_double;
   std::size_t n;
   std::span<const std::byte> inputs;

@@ -9,10 +9,25 @@
 #include <algorithm>
 #include <conventions/choices.hpp>
 #include <limits>
+#include <operations/argument_kinds.hpp>
 #include <support/same_numbers.hpp>
 
 namespace liecheck::properties::adapters {
 namespace {
+
+/// Those of conventions::probe_arguments, and one for each kind of an argument that has kinds.
+template <class S>
+std::vector<conventions::Numbers> probe_arguments_of_kinds(const Operation& operation) {
+  std::vector<conventions::Numbers> all = conventions::probe_arguments<S>(operation);
+  std::size_t first = 0;
+  const ArgumentKinds* const kinds = argument_kinds(operation, first);
+  if (!kinds || kinds == &order_kinds) return all;
+  for (int k = 0; k < kinds->count; ++k) {
+    all.push_back(all[static_cast<std::size_t>(k)]);
+    for (std::size_t i = first; const double x : kinds->example(k)) all.back()[i++] = static_cast<S>(x);
+  }
+  return all;
+}
 
 /// Fills `answers`, and returns what is wrong with how they were given.
 template <class S>
@@ -33,7 +48,8 @@ std::string asked(Adapter& adapter, const OperationSizes& o,
   };
   const std::string why = call(0, n, together);
   const std::vector<Status> first = status;
-  const bool some = conventions::has_order(conventions::operation_named(o.operation));
+  std::size_t place = 0;  // a library may lack some kinds of an argument
+  const bool some = argument_kinds(conventions::operation_named(o.operation), place);
   for (const Status s : first)
     if (s != Status::done && !(some && s == Status::refused)) return in_words(s, why);
   for (std::size_t k = 0; k < n; ++k) {
@@ -75,7 +91,7 @@ std::vector<conventions::Finding> check_in(const char* scalar, Adapter& adapter,
     if (!adapter.description().offered.contains({std::string(o.operation), scalar})) continue;
     conventions::Probed p{&conventions::operation_named(o.operation), {}};
     to.push_back({std::string(o.operation), scalar,
-                  asked<S>(adapter, o, conventions::probe_arguments<S>(*p.operation), p.answers)});
+                  asked<S>(adapter, o, probe_arguments_of_kinds<S>(*p.operation), p.answers)});
     if (!p.answers.empty()) probed.push_back(std::move(p));
     conventions::Probed c{&conventions::operation_named(o.operation), {}};
     std::string& complaint = to.back().complaint;
@@ -138,6 +154,7 @@ Checked check_poses(Adapter& adapter) {
   if (right(all) || !converted) return all;
   const conventions::Statements& stated = adapter.description().conventions;
   for (const auto& [name, value] : stated) {
+    if (name == conventions::pose_form) continue;  // it says how many numbers the adapter reads
     conventions::Statements others = stated;
     others.erase(name);
     Converted without = converted->with(others);

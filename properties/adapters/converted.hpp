@@ -18,6 +18,7 @@ class Converted final : public Adapter {
  private:
   std::shared_ptr<Adapter> own_;
   std::vector<conventions::Rearranged> rearranged_;  ///< for each of all_sizes()
+  bool quaternion_poses_;
 };
 
 }  // namespace liecheck::properties::adapters

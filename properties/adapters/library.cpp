@@ -204,7 +204,8 @@ class Library final : public Adapter {
     if (!adapter_.find_model_call || !adapter_.open_model)
       throw AdapterFailed(fmt::format("{} has no {}, without which it takes no model", file,
                                       adapter_.open_model ? "find_model_call" : "open_model"));
-    description_.models = names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf"}, file);
+    description_.models =
+        names_in(adapter_.models ? adapter_.models : "joints", {"joints", "urdf", "mimics"}, file);
     if (description_.models.empty()) throw AdapterFailed(fmt::format("{} has an empty list of models", file));
     if (adapter_.joints) description_.joints = names_in(adapter_.joints, joint_names(), file);
     if (const char* const names = references ? references() : nullptr)
@@ -247,7 +248,7 @@ class Library final : public Adapter {
     std::shared_ptr<Handle> model;
     CFunction function;
     if (b.model.empty()) {
-      function = functions_[index(b)][b.is_double];
+      function = functions_[place_of(b.operation)][b.is_double];
     } else {
       std::string why;
       model = handle_of(b.model, why);
@@ -264,7 +265,7 @@ class Library final : public Adapter {
   }
   std::string repeated(const Batch& b) override {
     if (!b.model.empty()) return "";
-    const std::size_t at = index(b);
+    const std::size_t at = place_of(b.operation);
     const Inside inside(adapter_.name, b.operation.operation);
     return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_.thread_safe);
   }
@@ -332,9 +333,6 @@ class Library final : public Adapter {
       if (std::ranges::includes(numbers_of(b, other), kept)) return all(Status::output_unwritten), "";
     }
     return "";
-  }
-  static std::size_t index(const Batch& b) {
-    return static_cast<std::size_t>(&b.operation - all_sizes().data());
   }
   std::string called(const Batch& b, const CFunction& function) const try {
     std::ranges::fill(b.status, Status::done);

@@ -73,7 +73,7 @@ struct liecheck_adapter {
   const char* (*reason)(void);
 
   /* Conventions in which the library differs from liecheck, which converts them: "quaternion: wxyz, twist: angular
-   * first". docs/adapters.md has all. May be NULL. */
+   * first". "pose form: quaternion" says that poses are (p, Q), of 7 numbers. docs/adapters.md has all. May be NULL. */
   const char* conventions;
 
   /* Version 2 from here on. What is NULL is not offered. */
@@ -84,7 +84,7 @@ struct liecheck_adapter {
   liecheck_call (*find_call)(void* context, const char* operation, const char* scalar);
 
   /* Trees and robots: docs/adapters.md. */
-  const char* models; /* "joints", "urdf" or "joints, urdf": those that open_model takes */
+  const char* models; /* "joints", "urdf" or both; with "mimics", it couples those of a URDF */
   const char* joints; /* "revolute, prismatic": the kinds of joints that it takes; NULL for all */
   /* A handle for the model, or NULL if it is refused; reason() says why. `model` is valid during the call only. */
   void* (*open_model)(void* context, const struct liecheck_model* model);

@@ -12,6 +12,7 @@
 // All arguments of an operation are in one span, one after the other, and so are all numbers of its result.
 // Functions that are not static belong to one object of the struct, which must have a default constructor. It may also have
 //     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/adapters.md has all
+//                                       // with "pose form: quaternion", a pose is p, then Q: std::span<const double, 7>
 //     static constexpr bool thread_safe = true;           // several threads may call its functions at the same time
 //     static const char* source(std::string_view operation);                          // see liecheck_get_source()
 //     static void check_quaternion(std::span<const double, 4> Q);  // throws for what its operations do not accept
@@ -42,6 +43,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace liecheck::adapter {
 
@@ -63,8 +65,29 @@ constexpr const Sizes* find_sizes(std::string_view name) {
 constexpr bool is_operation(std::string_view name) {
   return find_sizes(name) != nullptr;
 }
-constexpr Sizes sizes_of(std::string_view name) {
-  return *find_sizes(name);
+/// The poses that an operation takes and gives.
+struct Poses {
+  std::string_view operation;
+  std::size_t inputs, results;
+};
+inline constexpr Poses all_poses[] = {{"exp6", 0, 1},
+                                      {"log6", 1, 0},
+                                      {"compose", 2, 1},
+                                      {"inverse", 1, 1},
+                                      {"act_point", 1, 0},
+                                      {"act_motion", 1, 0},
+                                      {"act_inverse_motion", 1, 0},
+                                      {"act_force", 1, 0},
+                                      {"act_inverse_force", 1, 0},
+                                      {"act_inertia", 1, 0},
+                                      {"act_inverse_inertia", 1, 0}};
+/// As (p, Q), a pose has 7 numbers in place of 12.
+constexpr Sizes sizes_of(std::string_view name, bool in_quaternions = false) {
+  Sizes sizes = *find_sizes(name);
+  for (const Poses& poses : all_poses)
+    if (in_quaternions && poses.operation == name)
+      sizes.inputs -= 5 * poses.inputs, sizes.results -= 5 * poses.results;
+  return sizes;
 }
 
 /// f(object, in, out) compiles for I numbers of S and R numbers of S.
@@ -202,6 +225,24 @@ constexpr const char* conventions_of() {
   else
     return nullptr;
 }
+/// Subject::conventions is known when the adapter is compiled.
+template <class Subject>
+concept HasConstantConventions = requires {
+  typename std::integral_constant<std::size_t, std::string_view(Subject::conventions).size()>;
+};
+/// Whether they state that poses are (p, Q).
+template <class Subject>
+constexpr bool has_quaternion_poses() {
+  if constexpr (HasConstantConventions<Subject>) {
+    constexpr std::string_view all = Subject::conventions, name = "pose form";
+    for (std::size_t at = all.find(name); at != all.npos; at = all.find(name, at + 1)) {
+      at = all.find_first_not_of(": ", at + name.size());
+      if (at == all.npos) break;
+      if (all.substr(at).starts_with("quaternion")) return true;
+    }
+  }
+  return false;
+}
 template <class Subject>
 constexpr bool is_thread_safe() {
   if constexpr (requires { Subject::thread_safe; })
@@ -251,7 +292,8 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
 #define LIECHECK_FIND(Subject, name)                                                                       \
   static_assert(liecheck::adapter::is_operation(#name), #name " is no operation: see docs/operations.md"); \
   if (operation == #name) {                                                                                \
-    constexpr auto sizes = liecheck::adapter::sizes_of(#name);                                             \
+    constexpr auto sizes =                                                                                 \
+        liecheck::adapter::sizes_of(#name, liecheck::adapter::has_quaternion_poses<Subject>());            \
     constexpr auto call = [](auto& subject, auto in, auto out) requires requires {                         \
       subject.name(in, out);                                                                               \
     }                                                                                                      \

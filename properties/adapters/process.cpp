@@ -95,7 +95,7 @@ Description described(const std::string& line) {
   }
   const nlohmann::json trees = j.value("trees", nlohmann::json::object());
   if (!trees.is_object()) throw wrong("has no object 'trees'");
-  d.models = names_in(trees, "models", {"joints", "urdf"}, d.models, wrong);
+  d.models = names_in(trees, "models", {"joints", "urdf", "mimics"}, d.models, wrong);
   d.joints = names_in(trees, "joints", joint_names(), d.joints, wrong);
   d.references = names_in(trees, "references", {"world", "local", "aligned"}, d.references, wrong);
   return d;
@@ -249,7 +249,7 @@ class LibraryProcess final : public Process {
     return why;
   }
   static std::uint32_t place_of(const Batch& b) {
-    if (b.model.empty()) return static_cast<std::uint32_t>(&b.operation - all_sizes().data());
+    if (b.model.empty()) return static_cast<std::uint32_t>(adapters::place_of(b.operation));
     const auto at = std::ranges::find(model_operations(), b.operation.operation, &Operation::name);
     return static_cast<std::uint32_t>(all_sizes().size() +
                                       static_cast<std::size_t>(at - model_operations().begin()));

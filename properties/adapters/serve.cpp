@@ -81,7 +81,9 @@ void answer(Adapter& adapter, Exchange& e, const Output& output, std::string& mo
   const OperationSizes own =
       of_model ? OperationSizes{model_operations().at(e.operation - plain)->name, e.inputs, e.results}
                : OperationSizes{};
-  const OperationSizes& o = of_model ? own : all_sizes()[e.operation];
+  const bool in_quaternions = !of_model && (e.inputs != all_sizes()[e.operation].inputs ||
+                                            e.results != all_sizes()[e.operation].results);
+  const OperationSizes& o = of_model ? own : (in_quaternions ? quaternion_sizes() : all_sizes())[e.operation];
   const bool is_double = e.is_double != 0;
   const Parts part(o, is_double, e.n);
   const std::span all(e.bytes);

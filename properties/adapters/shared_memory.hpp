@@ -21,7 +21,7 @@ struct Exchange {
   std::atomic<bool> program_sleeps{false};
   alignas(64) std::uint32_t operation = 0;  ///< its place in all_sizes(), then in model_operations()
   std::uint32_t is_double = 0, n = 0;
-  std::uint32_t inputs = 0, results = 0;             ///< numbers of one call of an operation on models
+  std::uint32_t inputs = 0, results = 0;             ///< numbers of one call
   std::array<char, 256> reason{};                    ///< of a refusal, ended by 0
   alignas(64) std::array<std::byte, 1 << 22> bytes;  ///< the inputs, the results, the status of each
 };

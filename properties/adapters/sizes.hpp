@@ -20,6 +20,12 @@ const std::vector<OperationSizes>& all_sizes();
 /// Those without the checks.
 std::span<const OperationSizes> operation_sizes();
 
+/// all_sizes() for an adapter whose poses are (p, Q).
+const std::vector<OperationSizes>& quaternion_sizes();
+
+/// The place of one of all_sizes() or of quaternion_sizes().
+std::size_t place_of(const OperationSizes& sizes);
+
 /// One of all_sizes(), or null if there is no such operation.
 const OperationSizes* sizes_of(std::string_view operation);
 

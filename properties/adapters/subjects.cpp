@@ -3,6 +3,7 @@
 #include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
+#include <adapters/asked.hpp>
 #include <adapters/chosen.hpp>
 #include <adapters/converted.hpp>
 #include <adapters/exchange.hpp>
@@ -18,7 +19,9 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <operations/quaternion_poses.hpp>
 #include <optional>
 #include <subjects/number_function.hpp>
 #include <subjects/remote.hpp>
@@ -31,6 +34,10 @@ namespace {
 
 constexpr double timeout_s = 5;  ///< of a call
 constexpr std::string_view inside = "in-process:";
+
+bool is_pose_at(const Layout* layout) {
+  return is_pose(*layout);
+}
 
 /// What was typed, and how to start it once more: every thread has an adapter of its own.
 struct Source {
@@ -90,12 +97,24 @@ void register_one(int number, const std::string& text, const Description& d, con
   };
   if (std::ranges::none_of(d.offered, [&](const auto& o) { return o.second == scalar.name; })) return;
   Subject s{d.name, d.version, text, &scalar};
-  s.takes = {oracles::JointSet(d.joints), d.orders};
+  s.takes = d.taken;
+  s.takes.joints = oracles::JointSet(d.joints);
+  s.takes.quaternion_poses = conventions::has_quaternion_poses(d.conventions);
+  s.takes.reads_urdf = d.models.contains("urdf"), s.takes.mimics = d.models.contains("mimics");
   fill_slots(s.operations, [&](const Operation& o) {
     NumberFunction f{&o, &scalar};
+    f.quaternion_poses = s.takes.quaternion_poses;
     if (offers(o.name))
       f.compute = [number, &scalar, &sizes = *sizes_of(o.name)](const void* in, void* out) {
         call_numbers(number, sizes, scalar, in, out);
+      };
+    if (f.compute && lacks_kinds(o, d.taken))
+      f.compute = [call = f.compute, &scalar, &o, taken = d.taken](void* in, void* out) {
+        scalar.with([&]<class S>() {
+          const auto* const numbers = static_cast<const S*>(in);
+          check_kinds(o, taken, std::vector<double>(numbers, numbers + count_numbers(o.arguments)));
+        });
+        call(in, out);
       };
     return f;
   });
@@ -122,9 +141,9 @@ void register_one(int number, const std::string& text, const Description& d, con
       return o;
     };
   if (offers_robots(d, in))
-    s.operations.robot = [&scalar, route](const std::string& urdf, bool fixed) {
+    s.operations.robot = [&scalar, route, mimics = s.takes.mimics](const std::string& urdf, bool fixed) {
       RobotOperations<double> o;
-      fill_robot(o, urdf, fixed, scalar, route);
+      fill_robot(o, *urdf_model(urdf, fixed, mimics), scalar, route);
       return o;
     };
   register_subject(std::move(s));
@@ -158,32 +177,6 @@ std::unique_ptr<Adapter> as_called(std::unique_ptr<Adapter> own) {
   return std::make_unique<Chosen>(std::make_unique<Converted>(std::move(own), stated));
 }
 
-/// The orders of Euler angles that the adapter does not refuse in all of its operations; all if a call has no answer.
-std::uint32_t orders_of(Adapter& adapter) try {
-  std::uint32_t taken = 0;
-  for (const OperationSizes& o : operation_sizes())
-    for (const Scalar* scalar : {&oracles::scalar_of<double>, &oracles::scalar_of<float>}) {
-      const Operation& operation = conventions::operation_named(o.operation);
-      if (!conventions::has_order(operation) ||
-          !adapter.description().offered.contains({std::string(o.operation), std::string(scalar->name)}))
-        continue;
-      scalar->with([&]<class S>() {
-        const std::vector<std::vector<double>> some = conventions::probe_arguments<S>(operation);
-        for (int order = 0; order < 24; ++order) {
-          std::vector<S> inputs(some.at(0).begin(), some.at(0).end()), results(o.results);
-          inputs.at(0) = S(order);
-          std::array<Status, 1> status{};
-          adapter.call({o, !scalar->is_float(), 1, std::as_bytes(std::span(inputs)),
-                        std::as_writable_bytes(std::span(results)), status});
-          if (status[0] != Status::refused) taken |= 1u << order;
-        }
-      });
-    }
-  return taken ? taken : Taken::every_order;
-} catch (const AdapterFailed&) {
-  return Taken::every_order;
-}
-
 /// Registers the subject of an adapter. Every thread uses it or, if it is not `in_process`, starts it once more.
 std::string register_as(const std::string& text, const std::string& name, bool in_process,
                         const std::function<std::shared_ptr<Adapter>()>& start_first) {
@@ -198,7 +191,11 @@ std::string register_as(const std::string& text, const std::string& name, bool i
     const std::shared_ptr<Adapter> first = start_first();
     d = first->description();
     if (!name.empty()) d.name = name;
-    d.orders = orders_of(*first);
+    ask_for_kinds(*first, d.taken);
+    const std::set<std::string> references = references_taken(*first);
+    std::ranges::set_difference(d.references, references,
+                                std::inserter(d.refused_references, d.refused_references.end()));
+    d.references = references;
     if (in_process) source.in_process = first;
   } catch (const AdapterFailed& e) {
     refuse(e.what());
@@ -237,6 +234,23 @@ const std::vector<OperationSizes>& all_sizes() {
     return sizes;
   }();
   return all;
+}
+const std::vector<OperationSizes>& quaternion_sizes() {
+  static const std::vector<OperationSizes> all = [] {
+    std::vector<OperationSizes> sizes = all_sizes();
+    std::size_t at = 0;
+    SpatialSlots<Doubles>::for_each([&](const Operation& o) {
+      sizes[at].inputs -= 5 * static_cast<std::size_t>(std::ranges::count_if(o.arguments, is_pose_at));
+      sizes[at++].results -= 5 * static_cast<std::size_t>(std::ranges::count_if(o.results, is_pose_at));
+    });
+    return sizes;
+  }();
+  return all;
+}
+std::size_t place_of(const OperationSizes& sizes) {
+  const OperationSizes* const from = all_sizes().data();
+  const bool is_of_all = !std::less<>()(&sizes, from) && std::less<>()(&sizes, from + all_sizes().size());
+  return static_cast<std::size_t>(&sizes - (is_of_all ? from : quaternion_sizes().data()));
 }
 std::span<const OperationSizes> operation_sizes() {
   return std::span(all_sizes()).first(all_sizes().size() - 2);

@@ -1,6 +1,7 @@
 #include <adapters/tree_check.hpp>
 
 #include <fmt/format.h>
+#include <adapters/asked.hpp>
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,12 @@ std::vector<double> argument(const Layout& layout, const State& x, const State& 
                                                         : x.a;
 }
 
+constexpr const char* reference_names[] = {"world", "local", "aligned"};
+
+bool sees(const Operation& o) {
+  return std::ranges::any_of(o.arguments, [](const Layout* l) { return l->name == op::seen.name; });
+}
+
 std::string difference(const std::vector<double>& x, const std::vector<double>& right) {
   double size = 0;
   for (const double y : right) size = std::max(size, std::fabs(y));
@@ -157,14 +164,10 @@ class TreeCheck {
     auto at = std::ranges::find_if(to_, is_this);
     if (at == to_.end()) at = to_.insert(at, {std::string(o.name), scalar, ""});
     for (const Seen seen : {Seen::world, Seen::local, Seen::aligned}) {
-      constexpr const char* names[] = {"world", "local", "aligned"};
-      if (sees(o) && !adapter_.description().references.contains(names[static_cast<int>(seen)])) continue;
+      if (sees(o) && !references_.contains(reference_names[static_cast<int>(seen)])) continue;
       if (!at->complaint.empty() || (!sees(o) && seen != Seen::world)) return;
       scalar_.with([&]<class S>() { at->complaint = asked<S>(o, reference, seen); });
     }
-  }
-  static bool sees(const Operation& o) {
-    return std::ranges::any_of(o.arguments, [](const Layout* l) { return l->name == op::seen.name; });
   }
   template <class S>
   std::string asked(const Operation& o, const Reference& reference, Seen seen) try {
@@ -221,6 +224,7 @@ class TreeCheck {
   std::string where_;
   Numbers number_;
   State first_, second_;
+  std::set<std::string> references_ = references_taken(adapter_);
 };
 
 void check_in(const Scalar& scalar, Adapter& adapter, Checked& all) {
@@ -236,7 +240,52 @@ void check_in(const Scalar& scalar, Adapter& adapter, Checked& all) {
   if (d.models.contains("urdf")) check(built_in_robot_tree());
 }
 
+/// Whether the adapter refuses the operation on the tree in a reference.
+template <class S>
+bool refuses(Adapter& adapter, const Model& model, const Operation& o, const State& x, int seen) {
+  std::vector<S> inputs;
+  for (const Layout* layout : o.arguments)
+    std::ranges::copy(argument(*layout, x, x, static_cast<Seen>(seen)), std::back_inserter(inputs));
+  inputs.insert(inputs.end(), model.frame().begin(), model.frame().end());
+  const OperationSizes sizes = model.sizes(o);
+  std::vector<S> results(sizes.results);
+  Status status{};
+  adapter.call({sizes,
+                sizeof(S) == 8,
+                1,
+                std::as_bytes(std::span(inputs)),
+                std::as_writable_bytes(std::span(results)),
+                {&status, 1},
+                model.text()});
+  return status == Status::refused;
+}
+
 }  // namespace
+
+std::set<std::string> references_taken(Adapter& adapter) try {
+  const Description& d = adapter.description();
+  std::set<std::string> taken;
+  for (const Scalar* scalar : {&oracles::scalar_of<double>, &oracles::scalar_of<float>}) {
+    std::vector<const Operation*> asked;
+    for (const Operation* o : model_operations())
+      if (sees(*o) && d.offered.contains({std::string(o->name), std::string(scalar->name)}))
+        asked.push_back(o);
+    if (asked.empty()) continue;
+    const Tree<double> tree = d.models.contains("joints") ? chain(d) : built_in_robot_tree();
+    const Model model(tree, d, *scalar, [&]() -> Adapter& { return adapter; });
+    Numbers number;
+    const State x(tree, *scalar, number);
+    for (const Operation* o : asked)
+      for (int seen = 0; seen < 3; ++seen)
+        scalar->with([&]<class S>() {
+          if (d.references.contains(reference_names[seen]) && !refuses<S>(adapter, model, *o, x, seen))
+            taken.insert(reference_names[seen]);
+        });
+  }
+  return taken.empty() ? d.references : taken;
+} catch (const AdapterFailed&) {
+  return adapter.description().references;
+}
 
 Checked check_trees(Adapter& adapter) {
   Checked all;

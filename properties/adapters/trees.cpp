@@ -211,9 +211,9 @@ void fill_tree(TreeOperations<double>& o, const Tree<double>& tree, const Descri
                  },
                  number));
 }
-void fill_robot(RobotOperations<double>& o, const std::string& urdf, bool fixed, const Scalar& scalar,
+void fill_robot(RobotOperations<double>& o, const UrdfModel& robot, const Scalar& scalar,
                 const Route& route) {
-  fill_slots(o, found_in(std::make_shared<const Model>(*urdf_model(urdf, fixed), scalar, route), scalar,
+  fill_slots(o, found_in(std::make_shared<const Model>(robot, scalar, route), scalar,
                          [](const Operation&) { return true; }));
 }
 

@@ -58,8 +58,7 @@ class Model {
 void fill_tree(TreeOperations<double>& o, const Tree<double>& tree, const Description& adapter,
                const Scalar& scalar, const Route& route);
 /// Fills the operations on the configurations of a robot. May be called if offers_robots().
-void fill_robot(RobotOperations<double>& o, const std::string& urdf, bool fixed, const Scalar& scalar,
-                const Route& route);
+void fill_robot(RobotOperations<double>& o, const UrdfModel& robot, const Scalar& scalar, const Route& route);
 
 /// Whether the adapter offers every operation on the configurations of a robot, and takes URDFs.
 bool offers_robots(const Description& adapter, const std::string& scalar);

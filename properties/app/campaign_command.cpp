@@ -307,8 +307,9 @@ int run(const CampaignFlags& f) {
     selection.properties = laws_of(rules_named(f.rules), selection.properties);
   }
   const Robot robot = f.cases.robot.read();
-  const Differences differ =
+  Differences differ =
       f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
+  differ.outside = f.selection.adapters.outside(robot);
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         differ.conventions.empty()

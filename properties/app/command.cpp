@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <adapters/asked.hpp>
 #include <adapters/check.hpp>
 #include <adapters/child.hpp>
 #include <adapters/subjects.hpp>
@@ -121,10 +122,27 @@ Differences AdapterFlags::withhold_others(bool quiet) const {
   return all;
 }
 
+std::vector<std::string> AdapterFlags::outside(const Robot& robot) const {
+  std::vector<std::string> all;
+  for (const std::string& adapter : adapters) {
+    const adapters::Description* const d = adapters::description_of(adapter);
+    if (!d) continue;
+    for (const std::string& sentence : adapters::refusals(*d)) all.push_back(sentence);
+    if (robot.mimics && d->models.contains("urdf") && !d->models.contains("mimics"))
+      all.push_back(fmt::format(
+          "{} reads {} itself, which has mimic joints: they are independent joints here, and what "
+          "differs is not judged. A reader that couples them states it: \"mimics\" in the list "
+          "\"models\"",
+          d->name, robot.name));
+  }
+  return all;
+}
+
 std::string text_of(const Differences& found) {
   std::string text;
   for (const std::string& sentence : found.conventions) text += fmt::format("\nNOT JUDGED  {}\n", sentence);
-  for (const std::string& sentence : found.choices) text += fmt::format("\nremark  {}\n", sentence);
+  for (const auto* sentences : {&found.choices, &found.outside})
+    for (const std::string& sentence : *sentences) text += fmt::format("\nremark  {}\n", sentence);
   return text;
 }
 

@@ -147,6 +147,7 @@ struct LimitsFlags {
 struct Differences {
   std::vector<std::string> conventions;  ///< others than liecheck's
   std::vector<std::string> choices;      ///< that the adapter does not state, and that are others than liecheck's
+  std::vector<std::string> outside = {};  ///< what the adapter lacks, and what is therefore not judged
 };
 /// What is not judged, and the remarks: an empty line before each.
 std::string text_of(const Differences& found);
@@ -162,6 +163,8 @@ struct AdapterFlags {
   /// The operations that a convention concerns in which an adapter differs are withheld, because nearly every case would
   /// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
   Differences withhold_others(bool quiet = false) const;
+  /// What is outside the domain of each adapter: what it refuses, and the mimics of a robot that it does not take.
+  std::vector<std::string> outside(const Robot& robot) const;
 };
 
 /// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck.

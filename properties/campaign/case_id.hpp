@@ -5,7 +5,7 @@
 //   raw.PROPERTY.SUBJECT.SCALAR.ROBOT.X,X,...      shrunk or typed: the input itself, hexadecimal floats
 //
 // ROBOT is "none" or Robot::hash, or says from what the inputs are drawn for a subject that does not take all of them:
-// "revolute_prismatic" joints, "orders_11". The generator's key does not depend on the subject, so all subjects that take
+// "revolute_prismatic" joints, "orders_11", "fractions_1" for t = 1/2. The generator's key does not depend on the subject, so all subjects that take
 // the same get the same inputs in one scalar.
 
 #include <cstdint>

@@ -30,6 +30,9 @@ Robot robot_of(const std::string& urdf, const std::string& path, bool fixed,
     if (model.nqs[j] == 4)
       throw UrdfError(source, 0, "a planar joint: no law supports one yet", model.names[j]);
   r.name = model.name;
+  r.mimics = std::ranges::any_of(read.warnings, [](const std::string& w) {
+    return w.find(" is a mimic and is treated as independent") != w.npos;
+  });
   // Measured of tree_momentum: 0.4, 2 and 16 s with 100, 200 and 400 joints.
   if (const double joints = model.njoints - 1; joints > 200)
     read.warnings.push_back(fmt::format(

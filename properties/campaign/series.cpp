@@ -133,6 +133,7 @@ Series::Series(std::unique_ptr<Property> law_tested, const Subject& tested, cons
     if (law_->measures(subject_, outputs[i])) due |= 1u << i;
   of_joints_ = is_tree_law(property) || outputs.front().operation.starts_with("robot_");
   together_ = !of_joints_ && remote_subjects().contains(subject);
+  held_ = !(robot_used.mimics && law_->gives_urdf() && tested.takes.reads_urdf && !tested.takes.mimics);
   own = std::move(limits);
   profile = judging;
   domain_ = Domain(own ? own->domain : std::vector<DomainBound>(), fields, outputs);
@@ -344,6 +345,10 @@ void Series::close(const std::vector<double>& x, const Scope& scope, Judge& judg
       if (scope.outside[i]) judge.outcome(outputs[i], band_of_input(x, i), Outcome::outside_domain);
   }
   judge.close(due);
+  if (!held_ && any_failed(judge.judged))
+    for (Judged& j : judge.judged)
+      if (j.failed || j.residual.outcome == Outcome::unmeasured)
+        j.residual.outcome = Outcome::outside_domain, j.failed = false;
 }
 
 std::size_t Series::band_of_input(const std::vector<double>& x, std::size_t output) const {

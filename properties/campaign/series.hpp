@@ -141,6 +141,7 @@ class Series {
   Limits limits_;
   Domain domain_;
   bool of_joints_ = false;      ///< the law is one of trees or of a robot
+  bool held_ = true;            ///< false: it reads a URDF with mimics, and does not say that it couples them
   bool together_ = false;       ///< its functions are called for many cases at once
   const std::uint64_t number_;  ///< unique in this process, unlike an address, which a later series may reuse
 };

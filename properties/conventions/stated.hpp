@@ -25,10 +25,20 @@ void decode(const Order& order, const S* from, S* to) {
     to[i] = order[i] < 0 ? -from[-order[i] - 1] : from[order[i] - 1];
 }
 
+/// Of the numbers of a call, whose poses are (p, Q) where the adapter states it: operations/quaternion_poses.hpp.
 struct Rearranged {
   Order arguments, result;
 };
 /// Throws std::invalid_argument, which says in words what is unknown or cannot be converted exactly.
 Rearranged rearranged(const Operation& operation, const Statements& stated);
+
+/// The statement of what poses are. It changes how many numbers they have.
+inline constexpr const char* pose_form = "pose form";
+/// Whether poses are stated to be (p, Q).
+bool has_quaternion_poses(const Statements& stated);
+
+/// The arguments of a call as an adapter with these statements is given them.
+std::vector<double> given(const Operation& operation, const Statements& stated,
+                          const std::vector<double>& arguments, bool is_float);
 
 }  // namespace liecheck::properties::conventions

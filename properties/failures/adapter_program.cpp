@@ -10,6 +10,7 @@
 #include <failures/result.hpp>
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
+#include <operations/quaternion_poses.hpp>
 #include <span>
 
 namespace liecheck::properties {
@@ -23,21 +24,17 @@ struct Argument {
 
 std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Description& d,
                                    const Scalar& scalar) {
-  std::vector<double> numbers = call.arguments;
-  if (!d.conventions.empty()) {  // as the adapter receives them
-    std::vector<double> own(numbers.size());
-    conventions::encode(conventions::rearranged(*call.operation, d.conventions).arguments, numbers.data(),
-                        own.data());
-    numbers = own;
-  }
+  const std::vector<double> numbers =
+      conventions::given(*call.operation, d.conventions, call.arguments, scalar.is_float());
   std::vector<Argument> all;
   std::span<const double> left(numbers);
-  for (const Layout* l : call.operation->arguments) {
+  for (const Layout* own : call.operation->arguments) {
+    const Layout l = conventions::has_quaternion_poses(d.conventions) ? with_quaternion(*own) : *own;
     std::vector<std::string> decimal, hexadecimal;
-    for (const double x : left.first(conventions::size_of(*l)))
+    for (const double x : left.first(conventions::size_of(l)))
       decimal.push_back(decimal_float(x, scalar)), hexadecimal.push_back(hexadecimal_float(x));
-    left = left.subspan(conventions::size_of(*l));
-    all.push_back({std::string(l->name), fmt::format("{}", fmt::join(decimal, ", ")),
+    left = left.subspan(conventions::size_of(l));
+    all.push_back({std::string(l.name), fmt::format("{}", fmt::join(decimal, ", ")),
                    fmt::format("{}", fmt::join(hexadecimal, ", "))});
   }
   return all;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <campaign/series.hpp>
 #include <conventions/reference.hpp>
+#include <conventions/values.hpp>
 #include <invariants/property.hpp>
 #include <invariants/witness.hpp>
 #include <operations/numbers.hpp>
+#include <operations/quaternion_poses.hpp>
 #include <subjects/hooked.hpp>
 
 namespace liecheck::properties {
@@ -101,6 +103,26 @@ NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
 }
 
 }  // namespace
+
+std::vector<double> given_numbers(const Series& series, const NotedCall& call) {
+  if (!series.tested_subject().takes.quaternion_poses) return call.arguments;
+  return poses_as_quaternions(*call.operation, call.arguments, series.format().is_float());
+}
+
+std::vector<GivenArgument> given_arguments(const Series& series, const NotedCall& call) {
+  const bool in_quaternions = series.tested_subject().takes.quaternion_poses;
+  const std::vector<double> numbers = given_numbers(series, call);
+  std::vector<GivenArgument> all;
+  auto from = numbers.begin();
+  for (const Layout* l : call.operation->arguments) {
+    GivenArgument& next = all.emplace_back(in_quaternions ? with_quaternion(*l) : *l);
+    const std::size_t size = conventions::size_of(next.layout);
+    if (size > static_cast<std::size_t>(numbers.end() - from)) return {};
+    next.numbers.assign(from, from + static_cast<std::ptrdiff_t>(size));
+    from += static_cast<std::ptrdiff_t>(size);
+  }
+  return all;
+}
 
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   CaseId raw = id;

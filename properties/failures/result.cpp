@@ -203,9 +203,10 @@ std::string call_text(const Series& series, const NotedCall& call, const std::ve
   std::vector<std::string_view> names;
   for (const Layout* l : call.operation->arguments) names.push_back(l->name);
   std::string text = fmt::format("  call      {}({})", call.operation->name, fmt::join(names, ", "));
-  const bool known = std::ranges::search(input, call.arguments).begin() != input.end();
-  if (!known && call.arguments.size() <= most_inputs)
-    text += fmt::format("\n            = ({})", numbers_text(series, call.arguments));
+  const std::vector<double> given = given_numbers(series, call);
+  const bool known = std::ranges::search(input, given).begin() != input.end();
+  if (!known && given.size() <= most_inputs)
+    text += fmt::format("\n            = ({})", numbers_text(series, given));
   return text + "\n";
 }
 
@@ -381,15 +382,11 @@ std::string worst_number_text(const Series& series, const Output& output, const 
 }
 
 std::string called_with(const Series& series, const NotedCall& call) try {
+  const std::vector<GivenArgument> given = given_arguments(series, call);
+  if (given.empty() || call.arguments.size() > most_inputs) return "";
   std::vector<std::string> all;
-  std::span<const double> left(call.arguments);
-  for (const Layout* l : call.operation->arguments) {
-    const std::size_t size = conventions::size_of(*l);
-    if (size > left.size() || call.arguments.size() > most_inputs) return "";
-    const auto these = left.first(size);
-    all.push_back(fmt::format("{} = {}", l->name, numbers_text(series, {these.begin(), these.end()})));
-    left = left.subspan(size);
-  }
+  for (const GivenArgument& a : given)
+    all.push_back(fmt::format("{} = {}", a.layout.name, numbers_text(series, a.numbers)));
   return fmt::format("{}({})", call.operation->name, fmt::join(all, "; "));
 } catch (const std::logic_error&) {  // an argument whose size the model of a robot determines
   return "";

@@ -4,6 +4,7 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <numeric>
+#include <operations/argument_kinds.hpp>
 #include <oracles/orientations.hpp>
 
 namespace liecheck::properties {
@@ -37,11 +38,10 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     return x;
   }
   std::string draw_for(const Subject& subject) override {
-    std::string name = "orders";
     orders_.clear();
     for (int order = 0; order < 24; ++order)
-      if (subject.takes.orders >> order & 1) orders_.push_back(order), name += "_" + std::to_string(order);
-    return orders_.size() == 24 ? "" : name;
+      if (subject.takes.orders >> order & 1) orders_.push_back(order);
+    return text_of(order_kinds, "orders", subject.takes.orders);
   }
   bool valid(const std::vector<double>& input) const override {
     return Property::valid(input) && input[0] == std::floor(input[0]) && input[0] >= 0 && input[0] < 24;
@@ -111,7 +111,7 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     try {
       measured();
     } catch (const CallFailed& e) {
-      if (e.outcome != Outcome::refused) throw;
+      if (e.outcome != Outcome::refused && e.outcome != Outcome::outside_domain) throw;
       for (const Output& output : outputs) r.outcome(output, 0, Outcome::outside_domain);
     }
   }

@@ -70,11 +70,12 @@ class Recorder {
 
 /// The robot that configuration properties run on.
 struct Robot {
-  std::string name;    ///< the name in its <robot> element
-  std::string urdf;    ///< the text of the URDF
-  std::string path;    ///< the path that the user gave; empty for the built-in robot
-  bool fixed = false;  ///< its root is fixed to the world; otherwise it floats
-  std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
+  std::string name;     ///< the name in its <robot> element
+  std::string urdf;     ///< the text of the URDF
+  std::string path;     ///< the path that the user gave; empty for the built-in robot
+  bool fixed = false;   ///< its root is fixed to the world; otherwise it floats
+  bool mimics = false;  ///< some of its joints mimic another
+  std::string hash;     ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
 
 }  // namespace liecheck::properties

@@ -77,6 +77,8 @@ class Property {
   /// Whether an input of so many numbers is one of the law. By default: as many as its fields have.
   virtual bool takes(std::size_t numbers) const;
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
+  /// Whether subjects are given the URDF of the robot. May be called only after prepare.
+  virtual bool gives_urdf() const { return needs_robot(); }
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
   /// Draws the inputs from what the subject takes. Called at most once, after prepare. Returns what they are drawn from,

@@ -3,6 +3,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
+#include <operations/argument_kinds.hpp>
 #include <oracles/orientations.hpp>
 
 namespace liecheck::properties {
@@ -26,8 +27,18 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
   std::vector<S> draw(Source& source) const {
     const auto Q0 = unit_quaternion<S>(source), Q1 = quaternion_near<S>(source, Q0);
     std::vector<S> x = Joined<S>{Q0, Q1};
-    x.push_back(fraction<S>(source));
+    x.push_back(taken(source, fraction<S>(source)));
     return x;
+  }
+  std::string draw_for(const Subject& subject) override {
+    taken_ = subject.takes.fractions;
+    return text_of(fraction_kinds, "fractions", taken_);
+  }
+  std::vector<Field> fields() const override {
+    std::vector<Field> all = SlowLaw::fields();
+    const auto lacks = [&](int kind) { return ~taken_ >> kind & 1; };
+    all.back().without = lacks(0) | lacks(2) << 1 | lacks(1) << 2 | (lacks(3) ? 7u << 3 : 0);
+    return all;
   }
 
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
@@ -53,6 +64,18 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
   }
 
  private:
+  std::uint32_t taken_ = fraction_kinds.every();
+
+  /// t, or one that the subject takes.
+  template <class S>
+  S taken(Source& source, const S& t) const {
+    const double drawn = static_cast<double>(t);
+    if (taken_ >> fraction_kinds.kind({&drawn, 1}) & 1) return t;
+    std::vector<S> others;
+    for (int k = 0; k < fraction_kinds.count; ++k)
+      if (taken_ >> k & 1) others.push_back(static_cast<S>(fraction_kinds.example(k)[0]));
+    return others[source.below(others.size())];
+  }
   /// 0, 1, 1/2, near both ends, or any.
   template <class S>
   static S fraction(Source& source) {

@@ -5,10 +5,10 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/increments.hpp>
-#include <liecheck/urdf/urdf.hpp>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <subjects/urdf_options.hpp>
 
 namespace liecheck::properties {
 
@@ -49,13 +49,12 @@ class RobotStates : public Property {
   }
   bool needs_robot() const override { return true; }
   void prepare(const Robot& robot) override {
-    const auto model =
-        buildModelFromUrdfText(robot.urdf, robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, robot.name);
-    nq_ = model.nq, nv_ = model.nv;
-    for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
-      segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]),
-                           static_cast<int>(model.idx_vs[j])});
-    urdf_ = robot.urdf, fixed_ = robot.fixed;
+    urdf_ = robot.urdf, fixed_ = robot.fixed, name_ = robot.name, mimics_ = robot.mimics;
+    read(false);
+  }
+  std::string draw_for(const Subject& subject) override {
+    if (mimics_ && subject.takes.mimics) read(true);
+    return "";
   }
 
  protected:
@@ -131,12 +130,23 @@ class RobotStates : public Property {
   std::vector<Segment> segments_;
 
  private:
+  /// `coupled`: mimics have no coordinates.
+  void read(bool coupled) {
+    const auto model = loadUrdfText(urdf_, urdf_options(fixed_, coupled), name_).model;
+    nq_ = model.nq, nv_ = model.nv;
+    segments_.clear();
+    for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
+      if (model.nqs[j] > 0)
+        segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]),
+                             static_cast<int>(model.idx_vs[j])});
+  }
+
   struct Bound {
     std::optional<RobotOperations<double>> operations;
     std::exception_ptr error;
   };
-  std::string urdf_;
-  bool fixed_ = false;
+  std::string urdf_, name_;
+  bool fixed_ = false, mimics_ = false;
   mutable std::mutex mutex_;
   mutable std::map<const Subject*, Bound> bound_;
 };

@@ -1,8 +1,8 @@
 #include <generators/tree_shrinks.hpp>
 #include <invariants/tree_law.hpp>
 #include <invariants/witness.hpp>
-#include <liecheck/urdf/urdf.hpp>
 #include <set>
+#include <subjects/urdf_options.hpp>
 
 namespace liecheck::properties {
 
@@ -61,9 +61,8 @@ void add_tree_law(const std::string& property) {
   tree_laws().insert(property);
 }
 
-RobotNumbers robot_numbers(const Robot& robot) {
-  const Model<double> m =
-      buildModelFromUrdfText(robot.urdf, robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, robot.name);
+RobotNumbers robot_numbers(const Robot& robot, bool coupled) {
+  const Model<double> m = loadUrdfText(robot.urdf, urdf_options(robot.fixed, coupled), robot.name).model;
   RobotNumbers r;
   r.at = {m.njoints - 1};
   r.numbers.assign(r.at.size(), 0);
@@ -206,15 +205,20 @@ std::string AnyTreeLaw::program(const Output& output, const std::vector<double>&
 void AnyTreeLaw::prepare(const Robot& robot) {
   urdf_ = nullptr;
   if (robot.path.empty()) return;
-  urdf_ = urdf_model(robot.urdf, robot.fixed);
-  const RobotNumbers r = robot_numbers(robot);
   robot_ = true;
+  if (robot.mimics) with_mimics_ = robot;
+  read(robot, false);
+}
+void AnyTreeLaw::read(const Robot& robot, bool coupled) {
+  urdf_ = urdf_model(robot.urdf, robot.fixed, coupled);
+  const RobotNumbers r = robot_numbers(robot, coupled);
   at_ = r.at;
   fixed_.clear();
   for (double x : r.numbers) fixed_.push_back(scalar().rounded(x));
 }
 
 std::string AnyTreeLaw::draw_for(const Subject& subject) {
+  if (subject.takes.mimics && with_mimics_.mimics) read(with_mimics_, true);
   if (robot_) return "";
   taken_ = subject.takes.joints;
   return taken_.everything() ? "" : taken_.text();

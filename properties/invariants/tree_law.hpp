@@ -16,8 +16,8 @@ struct RobotNumbers {
   TreeLayout at{0};
   std::vector<double> numbers;
 };
-/// Reads the robot's URDF. Throws what the URDF reader throws.
-RobotNumbers robot_numbers(const Robot& robot);
+/// Reads the robot's URDF, in which mimics are `coupled` or independent joints. Throws what the URDF reader throws.
+RobotNumbers robot_numbers(const Robot& robot, bool coupled = false);
 
 /// The exact values of the numbers in a container.
 template <class T, class V>
@@ -143,6 +143,7 @@ class AnyTreeLaw : public Property {
   std::string program(const Output& output, const std::vector<double>& input) const override;
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
+  bool gives_urdf() const override { return robot_ && !rebuilds_tree(); }
   void prepare(const Robot& robot) override;
   std::string draw_for(const Subject& subject) override;
   template <class S>
@@ -168,8 +169,10 @@ class AnyTreeLaw : public Property {
  private:
   template <class S>
   std::vector<S> state_of(const std::vector<S>& full) const;
+  void read(const Robot& robot, bool coupled);
 
   bool robot_ = false;
+  Robot with_mimics_;        ///< the user's robot, if it has mimics
   oracles::JointSet taken_;  ///< of random trees
   TreeLayout at_{tree_slots};
   std::vector<double> fixed_;

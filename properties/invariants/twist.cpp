@@ -2,6 +2,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <operations/argument_kinds.hpp>
 #include <oracles/orientations.hpp>
 
 namespace liecheck::properties {
@@ -26,7 +27,17 @@ class Twist final : public SlowLaw<Twist> {
     using std::sqrt;
     const S n = Q.template head<3>().norm();
     if (source.chance(1, 4) && n > S(sqrt(std::numeric_limits<S>::min()))) axis = Q.template head<3>() / n;
-    return Joined<S>{Q, axis};
+    return Joined<S>{Q, taken<S>(source, axis)};
+  }
+  std::string draw_for(const Subject& subject) override {
+    taken_ = subject.takes.axes;
+    return text_of(axis_kinds, "axes", taken_);
+  }
+  std::vector<Field> fields() const override {
+    std::vector<Field> all = SlowLaw::fields();
+    if (!(taken_ & 7)) all.back().without = 1;
+    if (!(taken_ & 8)) all.back().without = ~1u;
+    return all;
   }
   bool valid(const std::vector<double>& input) const override {
     return Property::valid(input) && (input[4] != 0 || input[5] != 0 || input[6] != 0);
@@ -52,6 +63,23 @@ class Twist final : public SlowLaw<Twist> {
       if (!either && beyond < 64 && error > 1e3) return r.outcome(angle, 0, Outcome::wrong_branch);
       r.record(angle, 0, either ? std::min(error, beyond) : error);
     });
+  }
+
+ private:
+  std::uint32_t taken_ = axis_kinds.every();
+
+  /// The axis, or one that the subject takes.
+  template <class S>
+  Vec<S, 3> taken(Source& source, const Vec<S, 3>& axis) const {
+    const std::array drawn{double(axis[0]), double(axis[1]), double(axis[2])};
+    if (taken_ >> axis_kinds.kind(drawn) & 1) return axis;
+    std::vector<Vec<S, 3>> others;
+    for (int k = 0; k < axis_kinds.count; ++k)
+      if (taken_ >> k & 1) {
+        const std::vector<double> x = axis_kinds.example(k);
+        others.push_back(Vec<S, 3>(S(x[0]), S(x[1]), S(x[2])));
+      }
+    return others[source.below(others.size())];
   }
 };
 

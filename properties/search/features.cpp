@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <operations/quaternion_poses.hpp>
 #include <oracles/orientations.hpp>
 #include <string_view>
 
@@ -49,10 +50,10 @@ class Sorter {
       : scalar_(scalar), floating_(context.floating), features_(context.features) {}
 
   void add(const NumberFunction& f, const double* x) {
-    for (const Layout* layout : f.operation->arguments) {
-      if (layout->parts.size() == 0) features_[Of::seen] = *x++;
-      for (const Part& part : layout->parts)
-        add(part, x, size_of(part, f.model)), x += size_of(part, f.model);
+    for (const Layout* own : f.operation->arguments) {
+      const Layout layout = f.quaternion_poses ? with_quaternion(*own) : *own;
+      if (layout.parts.size() == 0) features_[Of::seen] = *x++;
+      for (const Part& part : layout.parts) add(part, x, size_of(part, f.model)), x += size_of(part, f.model);
     }
   }
   Features result() {
@@ -253,8 +254,12 @@ Context context_of(const Tree<double>& tree) {
 
 Features features_of(const NumberFunction& function, const std::vector<double>& arguments,
                      const Context& context) {
+  const std::vector<double> given =
+      function.quaternion_poses
+          ? poses_as_quaternions(*function.operation, arguments, function.scalar->is_float())
+          : arguments;
   Sorter sorter(*function.scalar, context);
-  sorter.add(function, arguments.data());
+  sorter.add(function, given.data());
   return sorter.result();
 }
 

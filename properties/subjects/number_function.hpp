@@ -19,6 +19,7 @@ struct NumberFunction {
   /// Computes the results from the arguments, in the order of operations/numbers.hpp and in the scalar. Throws what the
   /// subject throws. Null if the subject does not offer the operation.
   std::function<void(void* arguments, void* results)> compute = nullptr;
+  bool quaternion_poses = false;  ///< the library is given its poses as (p, Q)
 };
 
 /// Calls a function with numbers that are rounded to its scalar, and checks the call if the thread has a log. The conversions

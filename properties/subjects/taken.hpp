@@ -10,6 +10,11 @@ struct Taken {
   static constexpr std::uint32_t every_order = (1u << 24) - 1;
   oracles::JointSet joints;            ///< of its trees
   std::uint32_t orders = every_order;  ///< of its Euler angles: bit k for order k
+  std::uint32_t fractions = 15;        ///< of t, and of axes: the bits of operations/argument_kinds.hpp
+  std::uint32_t axes = 15;
+  bool quaternion_poses = false;  ///< its poses are (p, Q): operations/quaternion_poses.hpp
+  bool reads_urdf = false;        ///< with a reader of its own
+  bool mimics = false;            ///< this reader couples mimic joints
 };
 
 }  // namespace liecheck::properties

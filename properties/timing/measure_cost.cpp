@@ -78,14 +78,18 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
     for (const Subject* s : subjects(oracles::scalar_of<S>)) {
       if (s->adapter.empty() || !is_selected(plan, s->name) || !s->operations.has(operation)) continue;
       const std::string name(operation.name);
-      const adapters::OperationSizes& sizes = *adapters::sizes_of(name);
+      const conventions::Statements& stated = adapters::description_of(s->adapter)->conventions;
+      const std::size_t at = adapters::place_of(*adapters::sizes_of(name));
+      const adapters::OperationSizes& sizes =
+          s->takes.quaternion_poses ? adapters::quaternion_sizes()[at] : adapters::all_sizes()[at];
       Subject only{s->name, s->version, s->adapter, s->scalar};
       only.operations.take(operation, s->operations);
-      offered.push_back(
-          {s->name, s->version, direct_signature<S>(sizes.inputs),
-           plan.scored ? nullptr : plan.direct(s->adapter, name, scalar, sizes),
-           score_of(operation, law, std::move(only)),
-           conventions::rearranged(operation, adapters::description_of(s->adapter)->conventions).arguments});
+      offered.push_back({s->name, s->version, direct_signature<S>(sizes.inputs),
+                         plan.scored ? nullptr : plan.direct(s->adapter, name, scalar, sizes),
+                         score_of(operation, law, std::move(only)),
+                         [&operation, stated](const std::vector<double>& x) {
+                           return conventions::given(operation, stated, x, oracles::scalar_of<S>.is_float());
+                         }});
     }
   };
   add_cost_rows<S, S>(

@@ -77,17 +77,14 @@ struct Offered {
   Signature signature;
   AnyFunction function;
   Score<Input> score;
-  conventions::Order order = {};  ///< of an adapter's arguments; empty if it is liecheck's
-};
+  /// The arguments of a call as an adapter is given them; null if they are liecheck's.
+  std::function<std::vector<double>(const std::vector<double>&)> given = nullptr;
 
-inline std::vector<std::vector<double>> encoded(const conventions::Order& order,
-                                                std::vector<std::vector<double>> numbers) {
-  for (std::vector<double>& one : numbers) {
-    const std::vector<double> own = one;
-    conventions::encode(order, own.data(), one.data());
+  std::vector<std::vector<double>> all_given(std::vector<std::vector<double>> numbers) const {
+    for (std::vector<double>& one : numbers) one = given(one);
+    return numbers;
   }
-  return numbers;
-}
+};
 
 /// Adds the row of one operation for each subject that offers it. With `bands`, it also times each band.
 template <class Input>
@@ -108,9 +105,9 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
     row.subject = offered.subject, row.version = offered.version;
     const Signature& signature = offered.signature;
     auto [in_order, in_any_order] = arguments[signature.arguments];
-    if (!offered.order.empty())
-      in_order = signature.arguments(encoded(offered.order, numbers)),
-      in_any_order = signature.arguments(encoded(offered.order, shuffled));
+    if (offered.given)
+      in_order = signature.arguments(offered.all_given(numbers)),
+      in_any_order = signature.arguments(offered.all_given(shuffled));
     else if (!in_order)
       arguments[signature.arguments] = {in_order = signature.arguments(numbers),
                                         in_any_order = signature.arguments(shuffled)};

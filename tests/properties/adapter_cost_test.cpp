@@ -73,8 +73,9 @@ TEST_F(AdapterCost, IsLeftOutOfAReportIfItCannotBeMeasured) {
 }
 
 TEST(DirectFunction, TakesArgumentsInTheOrderThatTheAdapterStates) {
-  const auto numbers = encoded({4, 1, 2, -3}, {{1, 2, 3, 4}});
-  EXPECT_EQ(numbers.at(0), (std::vector<double>{2, 3, -4, 1}));
+  const conventions::Statements stated{{"quaternion", "wxyz"}, {"quaternion sense", "passive"}};
+  EXPECT_EQ(conventions::given(op::normalize, stated, {1, 2, 3, 4}, false),
+            (std::vector<double>{4, -1, -2, -3}));
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ TEST(TreeAdapters, WhatIsNotOfferedHasNoRow) {
 
 TEST(TreeAdapters, AReaderOfUrdfsIsAskedOnlyAboutARobot) {
   const std::string name =
-      register_adapter(altered("urdf_only", "adapter.py", R"(["joints", "urdf"])", R"(["urdf"])"));
+      register_adapter(altered("urdf_only", "adapter.py", R"(["joints", "urdf", "mimics"])", R"(["urdf"])"));
   EXPECT_TRUE(select({{name}, {}, {}}, built_in_robot()).empty());
   std::set<std::string> laws;
   const CampaignResult r = campaign(name, {}, 4, robot("quadruped.urdf"));
@@ -247,7 +247,7 @@ TEST(TreeAdapters, AReaderOfUrdfsIsAskedOnlyAboutARobot) {
 
 TEST(TreeAdapters, TreesWithOtherJointsAreOutsideTheDomainAndNoPass) {
   const auto takes = [](const std::string& name, const std::string& joints) {
-    return altered(name, "adapter.py", R"("models": ["joints", "urdf"])", "\"joints\": [" + joints + "]");
+    return altered(name, "adapter.py", R"("models": ["joints", "urdf", "mimics"])", "\"joints\": [" + joints + "]");
   };
   for (const auto& [output, row] : rows_of(takes("hinges", R"("revolute", "continuous", "armature")"),
                                            "mass_matrix", 60, built_in_robot())) {
@@ -285,11 +285,11 @@ TEST(TreeAdapters, ACheckSaysWhichNumberIsWrong) {
 TEST(TreeAdapters, ADescriptionThatIsWrongIsRefusedInWords) {
   const auto refusal = [](const std::string& trees) {
     return test::refusal<AdapterFailed>(
-        [&] { start(altered("described", "adapter.py", R"({"models": ["joints", "urdf"]})", trees)); });
+        [&] { start(altered("described", "adapter.py", R"({"models": ["joints", "urdf", "mimics"]})", trees)); });
   };
   EXPECT_NE(refusal("3").find("has no object 'trees'"), std::string::npos);
   EXPECT_NE(refusal(R"({"models": "urdf"})").find("has no list 'models' in 'trees'"), std::string::npos);
-  EXPECT_NE(refusal(R"({"models": ["sdf"]})").find("where only joints, urdf are known"), std::string::npos);
+  EXPECT_NE(refusal(R"({"models": ["sdf"]})").find("where only joints, urdf, mimics are known"), std::string::npos);
   EXPECT_NE(refusal(R"({"joints": []})").find("has an empty list 'joints' in 'trees'"), std::string::npos);
 }
 

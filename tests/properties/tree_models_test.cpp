@@ -41,7 +41,7 @@ TEST(TreeModels, AreSentAsTheDocumentationSays) {
 
 TEST(TreeModels, OfAUrdfAreItsTextIfTheAdapterTakesIt) {
   Tree<double> tree = pendulum();
-  tree.urdf = std::make_shared<UrdfModel>(UrdfModel{"<robot/>", true, {"hinge"}, 1, 1});
+  tree.urdf = std::make_shared<UrdfModel>(UrdfModel{"<robot/>", true, false, {"hinge"}, 1, 1});
   const std::string joints = adapters::Model(pendulum(), {}, in_double, nobody).text();
   EXPECT_EQ(adapters::Model(tree, {}, in_double, nobody).text(), joints);
   Description reader;
@@ -132,7 +132,7 @@ TEST(RobotModels, TakeTheOperationsOnConfigurationsOverTheWire) {
   Subject tested{"own_robots", "1", "", &in_double};
   tested.operations.robot = [](const std::string& urdf, bool fixed) {
     RobotOperations<double> o;
-    fill_robot(o, urdf, fixed, in_double, []() -> Adapter& { return own_robots(); });
+    fill_robot(o, *urdf_model(urdf, fixed), in_double, []() -> Adapter& { return own_robots(); });
     return o;
   };
   EXPECT_TRUE(offers_robots(own_robots().description(), "double"));
