@@ -24,7 +24,7 @@ inline constexpr Cause cutoff{"series lacks a term", "series below it lacks a te
     coefficient{"wrong coefficient of a series", "has a wrong one", "cutoff|threshold"},
     cancels{"closed form cancels", "closed form cancels|formula cancels|1 - cos\\(theta\\) cancels",
             "cutoff|cancel"},
-    acos_one{"acos near 1", "acos near 1|acos of a number|asin or acos", "acos|cancels"},
+    acos_one{"acos near 1", "acos near 1|acos of a number|asin or acos|asin of a number", "acos|cancels"},
     sin_pi{"sin near pi", "sin near pi|1 \\+ cos", "near pi"},
     trace{"1 + trace", "sin near pi|1 \\+ cos|trace", "near pi"},
     sign_of_w{"w < 0 only", "w < 0|sign of w", "w"},
@@ -38,7 +38,9 @@ inline constexpr Cause cutoff{"series lacks a term", "series below it lacks a te
                "transposed|inverse|passive|column|opposite sign|order of frames|sign, or|"
                "conjugate|A in B|reversed|left|other side|change its sign",
                "wrong term"},
-    swapped{"swapped or wrong component", "wrong term, factor or sign", "convention"},
+    swapped{"swapped or wrong component", "wrong term, factor or sign|in place of -R", "convention"},
+    other_formula{"another formula", "longer way|relative pose in place|on one half of the circle",
+                  "wrong term"},
     overflow{"theta^2 underflows or overflows", "underflows|overflows|0/0", "NaN"},
     nothing{"no nameable cause", "^$", "a wrong term"};
 

@@ -97,6 +97,48 @@ void add_rotations(Forms& f) {
   });
 }
 
+/// Formulas in place of the right ones, and what quaternions and matrices lose near pi.
+void add_wrong_formulas(Forms& f) {
+  f.add("lerp", interpolated, 0, op::slerp, always, [](const V4&, const V4& Q, const V4& P, double t) -> V4 {
+    return ((1 - t) * Q + (Q.dot(P) < 0 ? -t : t) * P).normalized();
+  });
+  f.add(
+      "far_side", other_formula, 0, op::slerp, [](const V4& Q, const V4& P, double) { return Q.dot(P) < 0; },
+      [](const V4&, const V4& Q, const V4& P, double t) -> V4 {
+        const double angle = std::acos(std::max(Q.dot(P), -1.0));
+        return (std::sin((1 - t) * angle) * Q + std::sin(t * angle) * P) / std::sin(angle);
+      });
+  f.add("translation", other_formula, 0, op::difference, always,
+        [](V6 d, const auto& q0, const auto& q1) -> V6 {
+          const V4 Q = q0.template tail<4>();
+          d.head<3>() = right()[op::rotate_point](quaternion(-vector(Q), Q[3]),
+                                                  V3(q1.template head<3>() - q0.template head<3>()));
+          return d;
+        });
+  f.add("quotient", other_formula, 0, op::se2_log, always, [](V3 d, const V4& q) -> V3 {
+    d[2] = std::atan(q[3] / q[2]);
+    return d;
+  });
+  f.add(
+      "root_of_trace", trace, 0, op::exp3_quaternion, [](const V3& phi) { return phi.norm() < 3.2; },
+      [](V4, const V3& phi) -> V4 {
+        const M3 R = right()[op::exp3_matrix](phi);
+        const double w = std::sqrt(1 + R.trace()) / 2;
+        return quaternion(vee(R - R.transpose()) / (4 * w), w);
+      });
+  f.add("asin", acos_one, 0, op::log3_quaternion, always, [](V3, const V4& Q) -> V3 {
+    const double s = vector(Q).stableNorm();
+    return s == 0 ? V3::Zero() : V3((Q[3] < 0 ? -2 : 2) * std::asin(std::min(s, 1.0)) / s * vector(Q));
+  });
+  for (const double x : {1e-3, 1e-5})
+    f.add(
+        "no_signs", opposite_vectors, x, op::log3_matrix,
+        [x](const M3& R) { return std::numbers::pi - theta_of(R) < x; },
+        [](V3, const M3& R) -> V3 {
+          return theta_of(R) * ((R.diagonal().array() + 1) / 2).max(0).sqrt().matrix();
+        });
+}
+
 /// Whether the middle angle b of an order is an end of its range but for x, and that end.
 std::pair<bool, double> locked(double order, const V3& angles, double x) {
   const double pi = std::numbers::pi, b = angles[1];
@@ -126,7 +168,7 @@ void add_euler_angles(Forms& f) {
 }  // namespace
 
 void add_styles(Forms& f) {
-  add_jacobians(f), add_rotations(f), add_euler_angles(f);
+  add_jacobians(f), add_rotations(f), add_wrong_formulas(f), add_euler_angles(f);
 }
 
 }  // namespace liecheck::properties

@@ -1,3 +1,4 @@
+// The subjects that register themselves (typed.hpp), and the names of other libraries among them, which may be absent.
 
 #include <algorithm>
 #include <deque>
