@@ -56,8 +56,6 @@ const Alternative alternatives[] = {
     {"slerp", 0, 4,
      [](const Numbers& x) -> Values { return along_the_arc(given(x, 0, 4), given(x, 4, 4), x[8]); },
      "the longer way is taken where Q0 . Q1 < 0: -Q1 is the same rotation, and nearer"},
-    {"slerp", 0, 4, [](const Numbers& x) -> Values { return along_the_arc(nearer(x), given(x, 0, 4), x[8]); },
-     "t runs from Q1 to Q0"},
     {"inverse", 9, 3,
      [](const Numbers& x) -> Values { return -Mat3(given(x, 0, 9).data()) * given(x, 9, 3); },
      "the translation is -R p in place of -R^T p"},

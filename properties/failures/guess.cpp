@@ -213,8 +213,10 @@ std::string near_gimbal_lock(const FailedBlock& f) {
 }  // namespace
 
 std::string guess_of(const FailedBlock& f) {
-  if (f.block == "jump")  // measured only beside common cutoffs
-    return f.worst->series->bands()[f.worst->band].axis == Axis::theta
+  // Measured only beside common cutoffs. Where results jump in many bands, no cutoff is the cause.
+  const auto jumps = std::ranges::count_if(f.bands, &BandOf::fails);
+  if (f.block == "jump")
+    return f.worst->series->bands()[f.worst->band].axis == Axis::theta && jumps <= 2
                ? fmt::format("a cutoff at theta about {}, at which the result jumps",
                              power_of_ten(f.worst->series->bands()[f.worst->band].high))
                : "";

@@ -320,7 +320,8 @@ std::string Shape::near_pi() const {
         border(p(wrong - 1), p(wrong)));
   if (keeps_half())
     return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
-  if (const auto start = sharp_start())
+  // Nearer to pi than the root of eps, the results of any formula are lost, or on another branch.
+  if (const auto start = sharp_start(); start && p(*start).low > root_)
     return fmt::format(
         "a threshold at pi - theta about {}: beyond it something is divided by sin(theta) or sqrt(1 + "
         "trace), which cancel near "
