@@ -82,14 +82,12 @@ void check_kinds(const Operation& operation, const Taken& taken, std::span<const
 std::vector<std::string> refusals(const Description& d) {
   std::vector<std::string> all;
   for (const Bits& b : all_bits) {
-    if (d.taken.*b.of == b.kinds.every()) continue;
-    std::vector<std::string> names;
+    // Hardly a library has every order of Euler angles, and nobody needs to be told that.
+    if (d.taken.*b.of == b.kinds.every() || b.kinds.names.empty()) continue;
+    std::vector<std::string_view> names;
     for (int k = 0; k < b.kinds.count; ++k)
-      if (d.taken.*b.of >> k & 1)
-        names.push_back(b.kinds.names.empty() ? std::to_string(k)
-                                              : std::string(b.kinds.names[static_cast<std::size_t>(k)]));
-    all.push_back(fmt::format("{} refuses every {} but {}: they are outside its domain", d.name,
-                              b.kinds.names.empty() ? "order of Euler angles" : b.kinds.part,
+      if (d.taken.*b.of >> k & 1) names.push_back(b.kinds.names[static_cast<std::size_t>(k)]);
+    all.push_back(fmt::format("{} refuses every {} but {}: they are outside its domain", d.name, b.kinds.part,
                               fmt::join(names, ", ")));
   }
   if (!d.refused_references.empty())

@@ -186,7 +186,15 @@ std::string near_gimbal_lock(const FailedBlock& f) {
   const auto c = condition_of(*f.worst->series, f.worst->output, any_seed);
   if (!c || c->feature != Feature::lock) return "";
   const ErrorsOver errors = errors_over(*c);
-  if (f.worst->row->not_finite > 0) return "asin or acos of a number beyond 1 or -1";
+  if (f.worst->row->not_finite > 0) {
+    const BandOf& w = *f.worst;
+    const NotedCase all = noted(*w.series, w.series->id(any_seed, w.row->worst_index), w.output);
+    for (const NotedCall& call : all.calls)  // the middle angle has an asin, the others quotients
+      if (call.result.size() == 3 && std::isfinite(call.result[1]) &&
+          !(std::isfinite(call.result[0]) && std::isfinite(call.result[2])))
+        return "0/0 at gimbal lock: atan of a quotient in place of atan2";
+    return "asin or acos of a number beyond 1 or -1";
+  }
   // Another formula is wrong at once where it begins, and rounding does the less the farther the angles are from gimbal lock.
   if (errors.wrong_up_to > 0 && errors.wrong_up_to < 1e-3 * c->high)
     return "near gimbal lock, atan2 of numbers that are 0 but for rounding: the error grows as 1 / (the "
