@@ -9,6 +9,7 @@
 #include <operations/numbers.hpp>
 #include <operations/quaternion_poses.hpp>
 #include <subjects/hooked.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -128,6 +129,19 @@ NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   CaseId raw = id;
   if (!id.raw) raw.raw = true, raw.input = series.input(id);
   return noted_in(series, raw, output);
+}
+
+std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output) {
+  constexpr std::uint64_t any_seed = 42, cases = 300;
+  std::vector<NotedCall> all;
+  try {
+    for (std::uint64_t i = 0; i < cases; ++i)
+      for (NotedCall& call : noted(series, series.id(any_seed, i), output).calls)
+        if (call.operation == series.outputs.at(output).record && call.thrown.empty() && !call.result.empty())
+          all.push_back(std::move(call));
+  } catch (const GivenUp&) {  // a signal ended a call
+  }
+  return all;
 }
 
 std::vector<oracles::Real> expected_of(const NotedCall& call) try {

@@ -11,7 +11,6 @@
 #include <failures/shapes.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
-#include <numbers>
 #include <search/condition.hpp>
 #include <support/stop.hpp>
 
@@ -109,31 +108,6 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   return m;
 }
 
-/// What an angle that is wrong by pi, or by the rest of a turn, tells.
-std::string of_wrong_angle(const FailedBlock& f) {
-  const BandOf& b = *f.worst;
-  const Output& output = b.series->outputs.at(b.output);
-  constexpr std::uint64_t any_seed = 42;
-  if (f.block != "angle") return "";
-  std::uint64_t by_pi = 0, rest = 0, all = 0;
-  for (std::uint64_t i = 0; i < 200; ++i)
-    for (const NotedCall& call : noted(*b.series, b.series->id(any_seed, i), b.output).calls) {
-      if (call.operation != output.record || !call.thrown.empty() || call.result.empty()) continue;
-      const auto right = expected_of(call);
-      if (right.size() != call.result.size()) continue;
-      const double is = call.result.back(), should_be = static_cast<double>(right.back());
-      if (std::fabs(is - should_be) < 1e-3) continue;
-      ++all, by_pi += std::fabs(std::fabs(is - should_be) - std::numbers::pi) < 1e-6;
-      rest += std::fabs(is + should_be - 2 * std::numbers::pi) < 1e-6;
-    }
-  if (all >= 3 && by_pi == all)
-    return "the angle is wrong by pi on one half of the circle: atan of a quotient, or asin or acos; atan2 "
-           "of both parts is not";
-  return all >= 3 && rest == all ? "where Q0 . Q1 < 0, the angle is 2 pi minus the right one: Q1 and -Q1 are "
-                                   "the same rotation, and the nearer one counts"
-                                 : "";
-}
-
 /// The convention in which the results at moderate arguments would be right, or "".
 std::string convention(const FailedBlock& f) {
   const Series& series = *f.worst->series;
@@ -187,15 +161,14 @@ std::string near_gimbal_lock(const FailedBlock& f) {
   if (!c || c->feature != Feature::lock) return "";
   const ErrorsOver errors = errors_over(*c);
   if (f.worst->row->not_finite > 0) {
-    const BandOf& w = *f.worst;
-    const NotedCase all = noted(*w.series, w.series->id(any_seed, w.row->worst_index), w.output);
-    for (const NotedCall& call : all.calls)  // the middle angle has an asin, the others quotients
-      if (call.result.size() == 3 && std::isfinite(call.result[1]) &&
+    for (const NotedCall& call : sampled_calls(*f.worst->series, f.worst->output))
+      if (call.result.size() == 3 &&
+          std::isfinite(call.result[1]) &&  // the middle angle has an asin, the others quotients
           !(std::isfinite(call.result[0]) && std::isfinite(call.result[2])))
         return "0/0 at gimbal lock: atan of a quotient in place of atan2";
     return "asin or acos of a number beyond 1 or -1";
   }
-  // Another formula is wrong at once where it begins, and rounding does the less the farther the angles are from gimbal lock.
+  // Rounding makes large errors next to gimbal lock only, another formula wherever it is used.
   if (errors.wrong_up_to > 0 && errors.wrong_up_to < 1e-3 * c->high)
     return "near gimbal lock, atan2 of numbers that are 0 but for rounding: the error grows as 1 / (the "
            "angle from it), "
@@ -237,7 +210,6 @@ std::string guess_of(const FailedBlock& f) {
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
   if (std::string guess = alternative_of(f); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
-    if (std::string guess = of_wrong_angle(f); !guess.empty()) return guess;
     if (m.wrong * 3 <= m.all) return "";
     const std::string other =
         convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate

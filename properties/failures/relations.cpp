@@ -57,13 +57,6 @@ Numbers minus(Numbers x) {
   for (double& number : x) number = -number;
   return x;
 }
-Numbers exact(const char* name, const Numbers& arguments) {
-  const std::vector<oracles::Real> x(arguments.begin(), arguments.end());
-  Numbers result;
-  for (const oracles::Real& r : conventions::exact_result(conventions::operation_named(name), x))
-    result.push_back(static_cast<double>(r));
-  return result;
-}
 Quat quat_of(const Mat3& R) {
   return Quat(Eigen::Matrix3d(R)).normalized();
 }
@@ -89,12 +82,6 @@ Mat3 coupling_of(const Numbers& J6) {
 /// Of a rotation vector that is not predicted, but taken from the result.
 const Numbers unknown(3, std::numeric_limits<double>::quiet_NaN());
 
-/// The pose from the body at q0 to the body at q1.
-Numbers relative_pose(const Numbers& x) {
-  const Quat q0 = quat(x, 3), q1 = quat(x, 10);
-  return joined({numbers<3>(Mat3((q0.conjugate() * q1).toRotationMatrix())),
-                 numbers(Vec3(q0.conjugate() * (vec3(x, 7) - vec3(x, 0))))});
-}
 Numbers relative_quaternion(const Numbers& x, std::size_t first, std::size_t second) {
   const Quat a(x[first + 3], x[first], x[first + 1], x[first + 2]),
       b(x[second + 3], x[second], x[second + 1], x[second + 2]);
@@ -292,6 +279,20 @@ const Relation all_relations[] = {
 };
 
 }  // namespace
+
+Numbers exact(const char* name, const Numbers& arguments) {
+  const std::vector<oracles::Real> x(arguments.begin(), arguments.end());
+  Numbers result;
+  for (const oracles::Real& r : conventions::exact_result(conventions::operation_named(name), x))
+    result.push_back(static_cast<double>(r));
+  return result;
+}
+
+Numbers relative_pose(const Numbers& x) {
+  const Quat q0 = quat(x, 3), q1 = quat(x, 10);
+  return joined({numbers<3>(Mat3((q0.conjugate() * q1).toRotationMatrix())),
+                 numbers(Vec3(q0.conjugate() * (vec3(x, 7) - vec3(x, 0))))});
+}
 
 std::span<const Relation> relations() {
   return all_relations;

@@ -21,6 +21,12 @@ struct Relation {
   Numbers (*result)(const CallOf&);
 };
 
+/// The result of an operation from the oracle, each number rounded once. Throws what the oracle throws where it knows none.
+Numbers exact(const char* operation, const Numbers& arguments);
+
+/// R and p of the pose from the body at q0 to the body at q1, of the arguments of a difference.
+Numbers relative_pose(const Numbers& arguments);
+
 /// Its parts are called at what their arguments are in an exact calculation.
 std::span<const Relation> relations();
 
