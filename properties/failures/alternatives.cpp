@@ -44,6 +44,22 @@ const Alternative alternatives[] = {
     {"slerp", 0, 4,
      [](const Numbers& x) -> Values { return along_the_arc(given(x, 0, 4), given(x, 4, 4), x[8]); },
      "the longer way is taken where Q0 . Q1 < 0: -Q1 is the same rotation, and nearer"},
+    {"slerp", 0, 4,
+     [](const Numbers& x) -> Values {
+       const Values a = given(x, 0, 4), b = given(x, 4, 4), c = nearer(x);
+       const double angle = std::atan2((a - c).norm() * (a + c).norm() / 2, a.dot(c));
+       return (std::sin((1 - x[8]) * angle) * a + std::sin(x[8] * angle) * b) / std::sin(angle);
+     },
+     "the weights are those of the nearer one of Q1 and -Q1, which multiply the other one"},
+    {"integrate", 0, 3,
+     [](const Numbers& x) -> Values {
+       const Numbers right = exact("integrate", x);
+       const Eigen::Quaterniond Q0(&x[3]), Q1(&right[3]);
+       const Eigen::Vector3d turned =
+           Q1 * (Q0.conjugate() * Eigen::Vector3d(given(right, 0, 3) - given(x, 0, 3)));
+       return given(x, 0, 3) + turned;
+     },
+     "the step is turned by Q1, the orientation at its end, in place of Q0"},
     {"inverse", 9, 3,
      [](const Numbers& x) -> Values { return -RowMajor3(given(x, 0, 9).data()) * given(x, 9, 3); },
      "the translation is -R p in place of -R^T p"},
@@ -69,10 +85,11 @@ const Alternative alternatives[] = {
 
 /// Whether an alternative gives the results of four of five calls that are wrong in its numbers by more than a millionth of
 /// the result, or of a rad, to a hundredth of the error: an error of another formula agrees by chance once in a hundred calls at most.
-bool gives_results(const Alternative& one, const std::vector<std::pair<NotedCall, Values>>& calls) {
+bool gives_results(const Alternative& one, const std::vector<JudgedCall>& calls) try {
   std::size_t explained = 0, wrong = 0;
-  for (const auto& [call, right] : calls) {
-    const Values got = given(call.result, 0, right.size()).segment(one.from, one.size),
+  for (const auto& [call, right_numbers] : calls) {
+    const Values right = given(right_numbers, 0, std::ssize(right_numbers)),
+                 got = given(call.result, 0, right.size()).segment(one.from, one.size),
                  exact = right.segment(one.from, one.size);
     const auto apart = [&](const Values& x) {  // of quaternions, either sign is right
       return one.size == 4 ? std::min((got - x).norm(), (got + x).norm()) : (got - x).norm();
@@ -82,28 +99,15 @@ bool gives_results(const Alternative& one, const std::vector<std::pair<NotedCall
     ++wrong, explained += apart(one.result(call.arguments)) < 0.01 * apart(exact);
   }
   return wrong >= 5 && 5 * explained >= 4 * wrong;
+} catch (const std::exception&) {  // the oracle does not know these arguments
+  return false;
 }
 
 }  // namespace
 
-std::string alternative_of(const FailedBlock& f) try {
-  const BandOf& b = *f.worst;
-  const Operation* const operation = b.series->outputs.at(b.output).record;
-  const auto of_operation = [&](const Alternative& one) {
-    return operation && one.operation == operation->name;
-  };
-  if (std::ranges::none_of(alternatives, of_operation)) return "";
-  std::vector<std::pair<NotedCall, Values>> calls;
-  for (NotedCall& call : sampled_calls(*b.series, b.output)) {
-    Numbers right;
-    for (const oracles::Real& x : expected_of(call)) right.push_back(static_cast<double>(x));
-    if (right.size() == call.result.size())
-      calls.emplace_back(std::move(call), given(right, 0, static_cast<Eigen::Index>(right.size())));
-  }
+std::string alternative_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   for (const Alternative& one : alternatives)
-    if (of_operation(one) && gives_results(one, calls)) return one.text;
-  return "";
-} catch (const std::exception&) {  // the oracle does not know these arguments
+    if (one.operation == operation.name && gives_results(one, calls)) return one.text;
   return "";
 }
 

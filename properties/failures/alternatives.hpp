@@ -1,11 +1,11 @@
 #pragma once
 // Wrong formulas that libraries have in place of the right ones.
 
-#include <failures/blocks.hpp>
+#include <failures/substitutions.hpp>
 
 namespace liecheck::properties {
 
 /// The formula that gives the results of most calls that are wrong by more than a millionth, in words; or "".
-std::string alternative_of(const FailedBlock& failed);
+std::string alternative_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
 }  // namespace liecheck::properties

@@ -131,11 +131,12 @@ NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   return noted_in(series, raw, output);
 }
 
-std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output) {
-  constexpr std::uint64_t any_seed = 42, cases = 300;
+std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output, std::uint64_t from,
+                                     std::uint64_t to) {
+  constexpr std::uint64_t any_seed = 42;
   std::vector<NotedCall> all;
   try {
-    for (std::uint64_t i = 0; i < cases; ++i)
+    for (std::uint64_t i = from; i < to; ++i)
       for (NotedCall& call : noted(series, series.id(any_seed, i), output).calls)
         if (call.operation == series.outputs.at(output).record && call.thrown.empty() && !call.result.empty())
           all.push_back(std::move(call));

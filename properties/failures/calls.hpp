@@ -41,8 +41,9 @@ std::vector<GivenArgument> given_arguments(const Series& series, const NotedCall
 /// Measures a case once more and notes its calls that concern an output.
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output);
 
-/// The calls of an output's operation that returned, in the first 300 cases of a seed that is the same in every campaign.
-std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output);
+/// The calls of an output's operation that returned, in some cases of a seed that is the same in every campaign.
+std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output, std::uint64_t from = 0,
+                                     std::uint64_t to = 300);
 
 /// The result of a call from the oracle at 50 digits; empty if there is none, as for an algorithm on a tree.
 std::vector<oracles::Real> expected_of(const NotedCall& call);

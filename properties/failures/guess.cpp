@@ -108,6 +108,13 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   return m;
 }
 
+bool fails_at_zero(const FailedBlock& f) {
+  return std::ranges::any_of(f.bands, [](const BandOf& b) {
+    const Band& band = b.series->bands()[b.band];
+    return band.axis == Axis::theta && band.high == 0 && b.row->failed > 0;
+  });
+}
+
 /// The convention in which the results at moderate arguments would be right, or "".
 std::string convention(const FailedBlock& f) {
   const Series& series = *f.worst->series;
@@ -208,13 +215,19 @@ std::string guess_of(const FailedBlock& f) {
   const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
-  if (std::string guess = alternative_of(f); !guess.empty()) return guess;
+  const Operation* const operation = f.worst->series->outputs.at(f.worst->output).record;
+  const std::vector<JudgedCall> calls =
+      operation ? judged_calls(*f.worst->series, f.worst->output) : std::vector<JudgedCall>();
+  if (operation)
+    for (const auto of : {alternative_of, float_of})
+      if (std::string guess = of(*operation, calls); !guess.empty()) return guess;
+  const auto substitution = [&] { return operation ? substitution_of(*operation, calls) : std::string(); };
   if (m.wrong * 10 > m.all) {
-    if (m.wrong * 3 <= m.all) return "";
-    const std::string other =
-        convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
-    return !other.empty() || operation_of(f).starts_with("euler_from") || f.worst->series->on_robot ||
-                   is_tree_law(f.worst->series->property)
+    std::string other = m.wrong * 3 > m.all ? convention(f) : "";
+    if (other.empty()) other = substitution();
+    // Most inputs of Euler angles are near gimbal lock, not moderate.
+    return m.wrong * 3 <= m.all || !other.empty() || operation_of(f).starts_with("euler_from") ||
+                   f.worst->series->on_robot || is_tree_law(f.worst->series->property)
                ? other
                : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
                  "the "
@@ -229,8 +242,10 @@ std::string guess_of(const FailedBlock& f) {
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  // A float rounds by 2^-24, and a formula may do so a dozen times.
-  if (m.coarse * 2 > m.all && !euler_angles && (m.largest < 0x1p-20 || m.same()))
+  if (std::string guess = substitution(); !guess.empty()) return guess;
+  // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
+  const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;
+  if (m.coarse * 2 > m.all && !euler_angles && (as_a_float || m.same()) && !fails_at_zero(f))
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

@@ -94,6 +94,7 @@ class Shape {
 
   std::string at_small_angles() const;
   std::string near_pi() const;
+  bool falls_above() const;
 
  private:
   const Point& p(std::size_t i) const { return points_[i]; }
@@ -171,13 +172,21 @@ class Shape {
     return peak_ >= 4 && near_root(std::pow(10, p(peak_).x)) && y(peak_ + 2) > 0 && y(peak_ + 2) < y(peak_) &&
            std::fabs(y(peak_) - y(peak_ - 1)) < jump && (grows_up_to(peak_ - 1) || grows_up_to(peak_));
   }
+  /// Whether the errors are those of 1 - w^2 in place of |v|^2: w^2 is exact up to its last digit's square, so they grow as theta^2
+  /// up to the fourth root of eps, and fall as 1 / theta^2 above it.
+  bool is_of_w_squared() const {
+    return operation_of(f_) == "log3_quaternion" && peak_ >= 2 && peak_ + 2 < size() &&
+           std::fabs(p(peak_).x - std::log10(root_) / 2) < 1.1 && y(peak_ - 1) > 0 && y(peak_ + 1) > 0 &&
+           raw(peak_) - raw(peak_ - 2) > 1.2 && raw(peak_) - raw(peak_ + 2) > 1.2 &&
+           std::max(raw(peak_) - raw(peak_ - 1), raw(peak_) - raw(peak_ + 1)) < 2.7;
+  }
   /// Whether the largest errors below the root of eps are those of the root of eps, and fall above it.
   bool keeps_half() const {
     const double half = -std::log10(root_);
     std::size_t below = 0, as_large = 0;
     while (below < size() && p(below).x < std::log10(root_)) as_large += std::fabs(raw(below++) - half) < 0.8;
-    return is_rotation_vector(f_) && as_large >= 3 && peak_ <= below && raw(peak_) < half + 0.8 &&
-           y(below) > 0 && y(below + 2) < y(below);
+    return has_angle(f_) && as_large >= 3 && peak_ <= below && raw(peak_) < half + 0.8 && y(below) > 0 &&
+           y(below + 2) < y(below);
   }
   /// The number of the lowest bands in which all digits are lost, if the next one is right.
   std::size_t wrong_bands() const {
@@ -200,7 +209,10 @@ class Shape {
 
   /// Of errors in one band alone: on the side of a cutoff they begin at once, on the other they come from below the limit.
   std::string of_one_band() const {
-    if (peak_ == 0 || y(peak_ - 1) > 0 || y(peak_ + 1) > 0 || !p(peak_).many_fail()) return "";
+    // The last band is followed by moderate angles.
+    const bool last_goes_on = peak_ + 1 == size() && !moderate_angles_pass(f_);
+    if (peak_ == 0 || y(peak_ - 1) > 0 || y(peak_ + 1) > 0 || last_goes_on || !p(peak_).many_fail())
+      return "";
     const auto below = crossing(p(peak_), p(peak_ - 1));
     const auto above = peak_ + 1 < size() ? crossing(p(peak_), p(peak_ + 1)) : std::nullopt;
     const bool from = below && below->passing < 0.3, to = above && above->passing < 0.3;
@@ -240,6 +252,8 @@ std::string Shape::at_small_angles() const {
       std::ranges::all_of(points_, [](const Point& q) { return q.y == 0 || q.opposite; }))
     return "a sign: the result is the opposite of the right one; the rotation vector of Q with w < 0 is that "
            "of -Q";
+  if (is_of_w_squared())
+    return "1 - w^2 cancels as theta goes to 0, in sqrt(1 - w^2) for |v|, for example: |v| keeps all digits";
   if (const auto start = has_series(f_) ? sharp_start() : std::nullopt)
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
@@ -276,7 +290,7 @@ std::string Shape::at_small_angles() const {
         "the result is 0 where theta is below about {}: a threshold, or acos of a number that rounds to 1",
         border(p(zeros - 1), p(zeros)));
   if (has_series(f_) && peak_ >= 3 && peak_ + 3 < size() && falls(peak_ - 3) && falls(peak_ + 3) &&
-      p(peak_).cases >= 10 && p(peak_).many_fail() && (y(peak_ - 1) > 0 || y(peak_ + 1) > 0))
+      p(peak_).many_fail() && y(peak_ - 1) > 0 && y(peak_ + 1) > 0)
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        power_of_ten(y(peak_ + 1) > y(peak_ - 1) ? p(peak_).high : p(peak_).low));
   if (power > -0.5 || p(0).y < y(peak_) - jump) return "";
@@ -294,9 +308,19 @@ std::string Shape::at_small_angles() const {
       std::lround(-power) > 1 ? fmt::format("^{}", std::lround(-power)) : "");
 }
 
+/// Whether the errors of the bands above the largest one fall as the square of 1 / (pi - theta), over four bands at least.
+bool Shape::falls_above() const {
+  std::size_t last = peak_;
+  while (last + 1 < size() && y(last + 1) > 0.5) ++last;
+  return last >= peak_ + 3 && raw(peak_) - raw(last) > 1.5 * static_cast<double>(last - peak_);
+}
+
 std::string Shape::near_pi() const {
   if (size() < 4) return "";
   const double power = slope();
+  if (falls_above() && is_rotation_vector(f_))
+    return "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as 1 "
+           "/ (pi - theta)^2";
   if (peak_ >= 2 && y(peak_) > 1 && p(peak_ - 1).still && y(peak_ - 2) < y(peak_ - 1) && peak_ + 1 < size() &&
       falls(peak_ + 1))
     return fmt::format(
@@ -327,6 +351,9 @@ std::string Shape::near_pi() const {
         "trace), which cancel near "
         "pi",
         border(p(*start), p(*start - 1)));
+  if (is_of_cosine() &&
+      (operation_of(f_).starts_with("log3_quaternion") || operation_of(f_) == "relative_angle"))
+    return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
   if (is_of_cosine())
     return fmt::format(
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: (1 + cos(theta)) / "

@@ -1,0 +1,27 @@
+#pragma once
+// Wrong results that are right ones of another call, or right ones with one change, tell what the code does in their place.
+
+#include <failures/calls.hpp>
+#include <string>
+
+namespace liecheck::properties {
+
+/// A call, and its right result. A result of 6x6 numbers is in four blocks, 3x3 numbers each, one after another.
+struct JudgedCall {
+  NotedCall call;
+  std::vector<double> right;
+};
+
+/// The calls of an output's operation that returned, and the right results, of the first 300 cases of a seed that is the same in
+/// every campaign, or of 1000 if few of these are wrong. Empty if the oracle does not know the operation.
+std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output);
+
+/// Whether most results that are wrong are right ones in float, or those for an argument in float, in words; or "".
+std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+
+/// The one change of the arguments, or of the right result, that gives four of five wrong results, in words: "a wrong result is
+/// that for rho = 0". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
+/// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
+std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+
+}  // namespace liecheck::properties
