@@ -273,7 +273,7 @@ std::string of_another_frame(const Operation& operation, const std::vector<Place
               return in_blocks(operation, exact(operation.name.data(), x));
             }))
           return fmt::format(
-              "where it fails, {} is that of {} {} in place of {}: it is taken in another frame",
+              "where it fails, {} is what {} {} in place of {} would give: it is taken in another frame",
               wrong.subject(), R, name_of(at, places), name_of(at, places));
       for (const Place& part : wrong.results())
         if (part.size == 3 && wrong.given_by([&](const JudgedCall& c) {
@@ -331,7 +331,7 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
           std::ranges::copy(rounded(Numbers(at.in(x).begin(), at.in(x).end())), at.in(x).begin());
           return in_blocks(operation, exact(operation.name.data(), x));
         }))
-      return fmt::format("where it fails, {} is that of {} rounded to float", wrong.subject(),
+      return fmt::format("where it fails, {} is what {} rounded to float would give", wrong.subject(),
                          name_of(at, places));
   return "";
 }
@@ -379,7 +379,7 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
           change.apply(x);
           return in_blocks(operation, exact(operation.name.data(), x));
         }))
-      return fmt::format("where it fails, {} is that of {}", wrong.subject(), change.text);
+      return fmt::format("where it fails, {} is what {} would give", wrong.subject(), change.text);
   return of_another_frame(operation, places, wrong);
 }
 

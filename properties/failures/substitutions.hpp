@@ -20,7 +20,7 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output);
 std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
 /// The one change of the arguments, or of the right result, that gives four of five wrong results, in words: "a wrong result is
-/// that for rho = 0". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
+/// what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
 /// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
