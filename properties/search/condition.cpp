@@ -117,17 +117,28 @@ class ConditionSearch {
   }
 
   void add_second(const Found& first, const Found& alone, Found& best) const {
+    const FeatureName& one = name(first.parts[0]);
+    const auto tells_little = [&](const FeatureRange& part) { return name(part).negated && part.low <= 0; };
+    if (tells_little(first.parts[0])) return;
     std::vector<const Tried*> inputs;
     for (const Tried& t : all_)
       if (first.parts[0].holds(t)) inputs.push_back(&t);
     for (std::size_t i = 0; i < trial_.names().size(); ++i) {
-      if (i == first.parts[0].feature) continue;
+      // Of one argument, signs or the kinds of an order may be combined; its zeros and its size follow from each other.
+      const FeatureName& other = trial_.names()[i];
+      const bool same = !one.argument.empty() && other.argument == one.argument;
+      const bool kinds = one.written == other.written && !one.negated && !other.negated &&
+                         one.written >= Written::flag && first.parts[0].high != above_zero;
+      if (i == first.parts[0].feature || (same && !kinds)) continue;
+      // That an input lacks the feature tells little, too.
+      if (std::ranges::any_of(inputs, [i](const Tried* t) { return std::isnan((*t)[i]); })) continue;
       for (const FeatureRange& part : candidates(i, inputs)) {
         Found next = with(first.parts, part, inputs, first.counts.failed_elsewhere);
         const bool tells_more = next.counts.inside() >= 1.25 * first.counts.inside() &&
                                 next.score >= first.score + least_gain &&
                                 next.score >= std::max(0.0, alone.score) + least_gain;
-        if (tells_more && next.score > best.score && holds_for_failures(next.counts) && is_accepted(next))
+        if (!tells_little(part) && !(same && part.high == above_zero) && tells_more &&
+            next.score > best.score && holds_for_failures(next.counts) && is_accepted(next))
           best = std::move(next);
       }
     }
@@ -206,9 +217,10 @@ class ConditionSearch {
     const Written written = trial_.names()[feature].written;
     const double zero = written == Written::scale ? above_log_of_zero : above_zero;
     std::vector<FeatureRange> all;
+    const auto [smallest, largest] = std::ranges::minmax(of_all);
     const auto add = [&](double from, double to) {
-      const FeatureRange part{feature, from, to};
-      if (from < to && (!(from <= -infinity) || to < infinity)) all.push_back(part);
+      const bool leaves_out = from > smallest || to <= largest;  // more than those that lack the feature
+      if (from < to && leaves_out) all.push_back({feature, from, to});
     };
     if (written == Written::flag) {
       add(zero, infinity), add(-infinity, zero);
@@ -226,8 +238,9 @@ class ConditionSearch {
     const double low = of_failed.front(), high = above(of_failed.back()),
                  most = above(of_failed[of_failed.size() - 1 - few]);
     add(-infinity, of_failed.back() == -infinity ? above_log_of_zero : high);
-    add(zero, high), add(low, infinity), add(low, high), add(-infinity, most), add(zero, most),
-        add(of_failed[few], infinity);
+    add(low, infinity), add(low, high), add(-infinity, most), add(of_failed[few], infinity);
+    for (const double to : {high, most})
+      if (to < infinity) add(zero, to);
     return all;
   }
 
@@ -239,12 +252,13 @@ class ConditionSearch {
         Found simpler = f;
         FeatureRange& part = simpler.parts[k];
         const bool scale = name(part).written == Written::scale;
-        const double before = std::exchange(low ? part.low : part.high, !low                    ? infinity
-                                                                        : part.high < 0         ? -infinity
-                                                                        : std::isinf(part.high) ? part.low
-                                                                        : scale ? above_log_of_zero
-                                                                                : above_zero);
-        if (before == (low ? part.low : part.high) || (!low && part.low <= above_zero)) continue;
+        const double natural = !low                    ? infinity
+                               : std::isinf(part.high) ? part.low
+                               : scale                 ? above_log_of_zero
+                               : part.high < 0         ? -infinity
+                                                       : above_zero;
+        if ((low && part.low <= natural) || (!low && part.low <= above_zero)) continue;
+        (low ? part.low : part.high) = natural;
         simpler.counts = count(simpler.parts);
         const bool same = simpler.counts.gain() >= 0.85 * f.counts.gain() &&
                           simpler.counts.inside() >= 0.9 * f.counts.inside();

@@ -73,6 +73,7 @@ class ArgumentReader {
   void add(const NumberFunction& f, const double* x) {
     for (const Layout* own : f.operation->arguments) {
       const Layout layout = f.quaternion_poses ? with_quaternion(*own) : *own;
+      argument_ = layout.name;
       if (layout.parts.size() == 0) add_reference(*x++);
       for (const Part& part : layout.parts) {
         if (part.size > 0) add(part, x);
@@ -84,16 +85,19 @@ class ArgumentReader {
 
  private:
   template <class MakeName>
-  void note(double value, Written written, MakeName&& name_and_unit, bool angle = false) {
+  void note(double value, Written written, MakeName&& name_and_unit, bool angle = false,
+            bool negated = false) {
     values.push_back(value);
     if (!names_) return;
     const auto [name, unit] = name_and_unit();
-    names_->push_back(FeatureName{Feature::one, name, unit, written, angle});
+    names_->push_back(FeatureName{Feature::one, name, unit, written, angle, argument_, negated});
   }
   using Pair = std::pair<std::string, std::string>;
   void flag(bool holds, auto&& name_and_unit, bool angle = false) {
-    note(holds, Written::flag, name_and_unit, angle);
+    note(holds, Written::flag, name_and_unit, angle, true);
   }
+  /// A flag of which both values tell something.
+  void either(bool holds, auto&& name_and_unit) { note(holds, Written::flag, name_and_unit); }
 
   void add_reference(double seen) {
     constexpr const char* names[] = {"WORLD", "LOCAL", "LOCAL_WORLD_ALIGNED"};
@@ -102,6 +106,7 @@ class ArgumentReader {
            [&] { return Pair(fmt::format("seen = {}", names[k]), fmt::format("seen is not {}", names[k])); });
   }
   void add(const Part& part, const double* x) {
+    argument_ = part.name;
     if (part.name == "order") return add_order(x[0]);
     if (part.name == "wrench_joint" || part.name == "t") return;  // search/features.hpp
     if (part.size == 9) return part.unit == "1" ? add_rotation(part, x) : add_inertia(part, x);
@@ -194,9 +199,9 @@ class ArgumentReader {
   }
   void add_order(double x) {
     const int number = static_cast<int>(x);
-    flag(number % 2 == 0, [] { return Pair("the order is static", "the order is rotating"); });
+    either(number % 2 == 0, [] { return Pair("the order is static", "the order is rotating"); });
     const auto is_proper = [](const oracles::Order& o) { return o.axes[0] == o.axes[2]; };
-    flag(is_proper(oracles::Order(number)), [] {
+    either(is_proper(oracles::Order(number)), [] {
       return Pair("the first axis of the order is its last", "the axes of the order are three (Tait-Bryan)");
     });
     for (int k = 0; k < 24; k += 2) {
@@ -211,6 +216,7 @@ class ArgumentReader {
   std::vector<FeatureName>* names_;
   const double* first_ = nullptr;  ///< the first quaternion
   std::string_view first_name_;
+  std::string argument_;  ///< the part that is read
 };
 
 /// Two numbers with so many digits that they differ, at least two.
@@ -246,7 +252,7 @@ std::string text_of(const FeatureName& name, double low, double high, const Scal
   if (low == 0 && high == above_zero) return name.name + " = 0";
   if (high == above_log_of_zero) return name.name + " is 0";
   if (high == above_zero) return name.name + " <= 0";
-  if (low == above_zero && std::isinf(high)) return name.name + " > 0";
+  if ((low == above_zero || low == above_log_of_zero) && std::isinf(high)) return name.name + " > 0";
   const bool below = std::isinf(low), above = std::isinf(high);
   if (name.written == Written::count) {
     const double first = std::ceil(low), last = std::ceil(high) - 1;
@@ -266,7 +272,12 @@ std::string text_of(const FeatureName& name, double low, double high, const Scal
   };
   const std::string unit = plain ? "" : name.unit;
   if (below) return fmt::format("{} < {:.2g}{}", name.name, value(high), unit);
-  if (low == above_zero || low == above_log_of_zero)
+  const bool from_zero = low == above_zero || low == above_log_of_zero,
+             from_rounding = name.written == Written::number && name.unit != " eps" && low > 0 &&
+                             low < 128 * scalar.epsilon && low < 1e-6 * high;
+  if ((from_zero || from_rounding) && !above && name.name.starts_with("the "))
+    return fmt::format("{} < {:.2g}{} (not 0)", name.name, value(high), unit);
+  if ((from_zero || from_rounding) && !above)
     return fmt::format("0 < {} < {:.2g}{}", name.name, value(high), unit);
   if (above) return fmt::format("{} >= {:.2g}{}", name.name, value(low), unit);
   const auto [from, to] = different(value(low), value(high));

@@ -18,7 +18,9 @@ struct FeatureName {
   /// Of a flag, what holds where it is 0; of a count of joints, what one of them is, or "".
   std::string unit;
   Written written;
-  bool angle = false;  ///< it follows from an angle, of which bands tell
+  bool angle = false;         ///< it follows from an angle, of which bands tell
+  std::string argument = "";  ///< the part of the arguments that it is of
+  bool negated = false;       ///< a flag that tells little where it is 0, such as that a number is not zero
 };
 
 /// Those of every call, the simplest first. Angles are left out.
