@@ -201,8 +201,8 @@ class ConditionSearch {
     for (const FeatureRange& part : f.parts) f.score -= gain_of_border * borders(part);
     return f;
   }
-  /// The ranges of a feature, open on a side or not, that hold all failing inputs, or all but a twentieth on a side, and not
-  /// all inputs.
+  /// The ranges of a feature, open on a side or not, that hold all failing inputs, or all but a twentieth on a side, and leave
+  /// out a twentieth of those that have the feature.
   std::vector<FeatureRange> candidates(std::size_t feature, const std::vector<const Tried*>& inputs) const {
     std::vector<double> of_failed, of_all;
     std::size_t failed = 0;
@@ -217,10 +217,9 @@ class ConditionSearch {
     const Written written = trial_.names()[feature].written;
     const double zero = written == Written::scale ? above_log_of_zero : above_zero;
     std::vector<FeatureRange> all;
-    const auto [smallest, largest] = std::ranges::minmax(of_all);
     const auto add = [&](double from, double to) {
-      const bool leaves_out = from > smallest || to <= largest;  // more than those that lack the feature
-      if (from < to && leaves_out) all.push_back({feature, from, to});
+      const auto out = std::ranges::count_if(of_all, [&](double v) { return v < from || v >= to; });
+      if (from < to && 20 * out >= std::ssize(of_all)) all.push_back({feature, from, to});
     };
     if (written == Written::flag) {
       add(zero, infinity), add(-infinity, zero);
