@@ -186,7 +186,7 @@ void Lab::tell(const LawRun& law, const Fault& fault, std::size_t output, FaultV
   watch_.fault = nullptr, watch_.planted = false;
   verdict.told = Told::silent;
   if (!condition) return;
-  verdict.condition = text_of(*condition, law.series->format());
+  verdict.condition = condition->text;
   const auto& fired = law.noted.at({fault.operation, fault.trigger}).cases;
   const auto first = std::ranges::count_if(fired, [](std::uint32_t i) { return i < first_cases; });
   const double due = static_cast<double>(first) / first_cases,

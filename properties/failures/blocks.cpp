@@ -207,18 +207,22 @@ std::string where_of(const FailedBlock& f) {
 }
 
 std::string where_and_how_often(const FailedBlock& f, const CampaignResult& campaign) {
-  const std::string bands = where_of(f);
+  std::string bands = where_of(f);
   const BandOf& worst = *f.worst;
   const Series& series = *worst.series;
+  const bool everywhere = bands == "everywhere", scattered = bands.find(" bands, ") != std::string::npos;
   if (10 * f.failed < 9 * f.cases && f.block != "sign" && worst.row->crashed == 0) {
-    const auto fails_in = [&](std::size_t band) {
-      return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
-    };
+    std::function<bool(std::size_t)> fails_in;  // of bands that tell something
+    if (!scattered)
+      fails_in = [&](std::size_t band) {
+        return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
+      };
     if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in))
-      return fmt::format("{}{}: {} of {} cases in {}, elsewhere {} of {}",
-                         c->in_bands && bands != "everywhere" ? bands + ", and " : "",
-                         text_of(*c, series.format()), c->failed, c->cases, f.scalar, c->failed_elsewhere,
-                         c->elsewhere);
+      return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",
+                         c->in_bands && !everywhere ? bands + ", and " : "",
+                         4 * c->failed < 3 * c->cases ? "only if " : "", c->text, c->failed, c->cases,
+                         f.scalar, c->failed_elsewhere, c->elsewhere);
+    if ((everywhere || scattered) && 2 * f.failed < f.cases) bands = "no condition found";
   }
   return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);
 }

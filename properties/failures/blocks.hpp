@@ -51,8 +51,8 @@ std::string what_of(const FailedBlock& failed);
 /// Where: "theta 1e-9 to 1e-7, pi - theta < 1e-6", or "everywhere".
 std::string where_of(const FailedBlock& failed);
 
-/// Where, and how many cases fail there: by bands of the angle if most cases in them fail, else by a condition on another
-/// feature of the call, if one separates the cases that fail from those that pass.
+/// Where, and how many cases fail there: by bands of the angle if most cases in them fail, else by a condition on one
+/// or two other features of the call, if one separates the cases that fail from those that pass.
 std::string where_and_how_often(const FailedBlock& failed, const CampaignResult& campaign);
 
 /// One sentence on the cause if the error over the bands, or the results at moderate angles, tell it; or "".

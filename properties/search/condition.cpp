@@ -1,185 +1,54 @@
 #include <search/condition.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <invariants/property.hpp>
-#include <invariants/tree_case.hpp>
-#include <invariants/tree_laws.hpp>
-#include <search/shrink.hpp>
+#include <search/trial.hpp>
 #include <span>
-#include <subjects/number_function.hpp>
 #include <support/stop.hpp>
-#include <utility>
+#include <thread>
 
 namespace liecheck::properties {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 lowest = std::numeric_limits<double>::lowest(),  // above log2(0)
-    smallest = std::numeric_limits<double>::denorm_min();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t tried_cases = 2000, least = 3;
 constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
-constexpr double most_seconds = 3;  // of subjects so slow that what is found may change from run to run
+// Of subjects so slow that what is found may change from run to run; more on a busy machine.
+constexpr double most_seconds = 3;
+constexpr std::size_t most_firsts = 12;  ///< first parts for which a second is searched
 
-/// How a feature is written. `scale`: its values are log2 of a size over the largest exponent of the scalar.
-/// `sign`: only its sign is looked at, since its size follows from an angle.
-enum class Written { number, scale, flag, count, sign };
-struct Name {
-  Feature feature;
-  const char* name;
-  const char* unit;  ///< of a flag, what holds where it is 0
-  Written written;
-};
-/// The simplest first. Angles are left out: bands tell of them.
-constexpr Name names[] = {
-    {Feature::w, "w", "", Written::sign},
-    {Feature::x_negative, "x < 0", "x >= 0", Written::flag},
-    {Feature::y_negative, "y < 0", "y >= 0", Written::flag},
-    {Feature::z_negative, "z < 0", "z >= 0", Written::flag},
-    {Feature::product, "Q0 . Q1", "", Written::sign},
-    {Feature::second_w, "w of the second quaternion", "", Written::sign},
-    {Feature::trace, "trace(R)", "", Written::sign},
-    {Feature::zeros, "zeros among x, y, z", "", Written::count},
-    {Feature::largest, "the largest of |x|, |y|, |z| is number", "", Written::count},
-    {Feature::octant, "the octant of x, y, z", "", Written::count},
-    {Feature::fraction, "t", "", Written::number},
-    {Feature::lock, "the angle from gimbal lock", " rad", Written::number},
-    {Feature::order, "the order of Euler angles", "", Written::count},
-    {Feature::seen, "the reference frame", "", Written::count},
-    {Feature::joints, "joints", "", Written::count},
-    {Feature::revolute, "revolute joints", "", Written::count},
-    {Feature::continuous, "continuous joints", "", Written::count},
-    {Feature::prismatic, "prismatic joints", "", Written::count},
-    {Feature::helical, "helical joints", "", Written::count},
-    {Feature::spherical, "spherical joints", "", Written::count},
-    {Feature::planar, "planar joints", "", Written::count},
-    {Feature::translation, "translation joints", "", Written::count},
-    {Feature::free_flyer, "free-flyers", "", Written::count},
-    {Feature::mimics, "mimic joints", "", Written::count},
-    {Feature::armature, "a joint has an armature", "no joint has an armature", Written::flag},
-    {Feature::wrench, "a wrench acts", "no wrench acts", Written::flag},
-    {Feature::shape, "the shape (0 chain, 1 star, 2 all on the world, 3 other)", "", Written::count},
-    {Feature::length, "the longest vector", " m", Written::scale},
-    {Feature::first_length, "the length of the first vector", "", Written::scale},
-    {Feature::second_length, "the length of the second vector", "", Written::scale},
-    {Feature::speed, "the velocity", "", Written::scale},
-    {Feature::force, "the force", "", Written::scale},
-    {Feature::mass, "the mass", " kg", Written::scale},
-    {Feature::apart, "|p1 - p0| / |p0|", "", Written::number},
-    {Feature::off_unit, "| |Q|^2 - 1 |", " eps", Written::number},
-    {Feature::norm, "|Q|", "", Written::number},
-    {Feature::off_orthogonal, "|R^T R - I|", " eps", Written::number},
-    {Feature::along, "the cosine between the axis and the vector", "", Written::number},
-    {Feature::point, "the inertia is 0", "the inertia is not 0", Written::flag},
-    {Feature::moments_apart, "the smallest difference of moments of inertia, over the largest moment", "",
-     Written::number},
-    {Feature::thin, "the smallest over the largest moment of inertia", "", Written::number},
-    {Feature::flat, "(I1 + I2 - I3) / I3 of the moments of inertia", "", Written::number},
-    {Feature::mass_ratio, "the ratio of masses", "", Written::number},
-    {Feature::position, "the largest number of q", "", Written::number},
-    {Feature::joint_speed, "the largest number of v", "", Written::number},
-    {Feature::drive, "the largest acceleration or torque", "", Written::number},
+// About a thousand ranges are tried. Chance alone makes the best of them gain less than 15 (natural logarithms of
+// likelihood), and a border that is no zero or whole number is worth 3.
+constexpr double least_gain = 20, gain_of_border = 3;
+
+/// One feature from `low` up to but not `high`.
+struct FeatureRange {
+  std::size_t feature = 0;
+  double low = 0, high = 0;
+  bool holds(const Tried& t) const { return t[feature] >= low && t[feature] < high; }
 };
 
-/// What became of one input, and the features of the call of the output's operation. Without such a call they are NaN.
-struct Tried {
-  std::vector<double> input;
-  Features features;
-  bool failed = false;
-  double error = 0;  ///< [eps]
-  std::size_t band = 0;
-};
-
-/// While it exists, calls of this thread go through a hook.
-class Hooked {
- public:
-  explicit Hooked(CallHook& hook) : before_(std::exchange(call_hook(), &hook)) {}
-  Hooked(const Hooked&) = delete;
-  Hooked& operator=(const Hooked&) = delete;
-  ~Hooked() { call_hook() = before_; }
-
- private:
-  CallHook* before_;
-};
-
-/// Measures inputs of a law, and looks at the calls.
-class Trial {
- public:
-  Trial(const Series& series, std::size_t output)
-      : series_(series), output_(output), of_tree_(is_tree_law(series.property) && !series.on_robot) {}
-
-  /// None if nothing was measured of the output.
-  std::optional<Tried> operator()(const std::vector<double>& x) {
-    std::optional<Features> features;
-    Context context;
-    if (of_tree_) context = context_of(described(TreeCase<double>(TreeLayout::of_size(x.size()), x, x)));
-    CallHook* const before = call_hook();
-    CallHook hook = [&](const NumberFunction& f, void* arguments, void* results) {
-      if (!features && f.operation == series_.outputs[output_].record) {
-        const std::size_t n = count_numbers(f.operation->arguments, f.model);
-        const std::vector<double> numbers = f.scalar->with([&]<class S>() {
-          return std::vector<double>(static_cast<const S*>(arguments), static_cast<const S*>(arguments) + n);
-        });
-        features = features_of(f, numbers, context);
-      }
-      before ? (*before)(f, arguments, results) : f.compute(arguments, results);
+/// How many inputs fail where a condition holds, and where it does not.
+struct Counts {
+  std::uint64_t failed = 0, cases = 0, failed_elsewhere = 0, elsewhere = 0;
+  double inside() const { return cases > 0 ? double(failed) / double(cases) : 0; }
+  double all() const { return double(failed + failed_elsewhere) / double(cases + elsewhere); }
+  double errors() const { return double(cases - failed + failed_elsewhere); }
+  /// How much likelier the failures are with a share inside and one elsewhere than with one share of all.
+  double gain() const {
+    const auto likelihood = [](std::uint64_t part, std::uint64_t whole) {
+      if (part == 0 || part == whole) return 0.0;
+      const double share = double(part) / double(whole);
+      return double(part) * std::log(share) + double(whole - part) * std::log(1 - share);
     };
-    std::vector<Judged> judged;
-    {
-      const Hooked hooked(hook);
-      judged = series_.measure(x);
-    }
-    const auto of_output = std::ranges::find_if(
-        judged, [&](const Judged& j) { return static_cast<std::size_t>(j.residual.output) == output_; });
-    if (!features && of_tree_) features = context.features;  // the output is formed from several calls
-    if (of_output == judged.end() || !features) return std::nullopt;
-    const auto failure = failure_of(judged, static_cast<int>(output_));
-    const Residual& r = (failure ? *failure : *of_output).residual;
-    return Tried{x, *features, failure.has_value(), r.error, r.band};
+    return likelihood(failed, cases) + likelihood(failed_elsewhere, elsewhere) -
+           likelihood(failed + failed_elsewhere, cases + elsewhere);
   }
-
- private:
-  const Series& series_;
-  std::size_t output_;
-  bool of_tree_;
 };
-
-/// A point between two inputs of the same size: of rotations along an arc, of all else along a line. Empty if a group that
-/// has no points between differs.
-std::vector<double> point_between(const Series& series, const std::vector<double>& a,
-                                  const std::vector<double>& b, double t) {
-  std::vector<double> x(a.size());
-  std::size_t at = 0;
-  for (const Field& f : series.fields) {
-    const auto n = static_cast<std::size_t>(f.size);
-    const bool quaternion = n == 4 && (f.kind == Kind::quaternion || f.kind == Kind::any_quaternion),
-               matrix = n == 9 && f.kind == Kind::rotation_matrix;
-    double square = 0;
-    for (std::size_t i = at; i < at + n; ++i) x[i] = (1 - t) * a[i] + t * b[i], square += x[i] * x[i];
-    if ((quaternion && f.kind == Kind::quaternion) || f.kind == Kind::direction)
-      for (std::size_t i = at; i < at + n; ++i) x[i] /= std::sqrt(square);
-    if (matrix) {
-      using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-      const Eigen::Matrix3d R0 = Eigen::Map<const Rows>(&a[at]), R1 = Eigen::Map<const Rows>(&b[at]);
-      Eigen::Map<Rows>{&x[at]} = Eigen::Quaterniond(R0).slerp(t, Eigen::Quaterniond(R1)).toRotationMatrix();
-    }
-    const bool smooth = quaternion || matrix || f.kind == Kind::vector || f.kind == Kind::rotation_vector ||
-                        f.kind == Kind::fraction || f.kind == Kind::angle || f.kind == Kind::positive ||
-                        f.kind == Kind::direction;
-    if (!smooth)
-      for (std::size_t i = at; i < at + n; ++i) {
-        if (a[i] != b[i]) return {};
-        x[i] = a[i];
-      }
-    at += n;
-  }
-  if (at != a.size()) return {};
-  for (double& number : x) number = series.format().rounded(number);
-  return x;
-}
 
 class ConditionSearch {
  public:
@@ -188,154 +57,306 @@ class ConditionSearch {
       : series_(series), trial_(series, output), fails_in_(fails_in) {}
 
   std::optional<Condition> run(std::uint64_t seed) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_seconds);
+    double load = 0;
+    const auto processors = double(std::max(1u, std::thread::hardware_concurrency()));
+    if (getloadavg(&load, 1) < 1) load = 0;
+    const std::chrono::duration<double> most(most_seconds * std::clamp(load / processors, 1.0, 10.0));
+    const auto end = std::chrono::steady_clock::now() + most;
     for (std::uint64_t i = 0, failed = 0; i < tried_cases; ++i) {
       if (stop_requested || std::chrono::steady_clock::now() > end) break;
       if (i >= enough_cases && failed >= enough_failures) break;
-      auto t = trial_(series_.numbers(series_.id(seed, i)));
-      if (!t) continue;
-      failed += t->failed;
-      all_.push_back(std::move(*t));
+      for (Tried& t : trial_(series_.numbers(series_.id(seed, i))))
+        failed += t.failed, all_.push_back(std::move(t));
+    }
+    if (fails_in_) {
+      const Counts of_bands = count_where([&](const Tried& t) { return fails_in_(t.band); });
+      if (of_bands.elsewhere > 0) gain_of_bands_ = of_bands.gain();
     }
     auto found = separating();
     if (found || !fails_in_) return found;
     std::erase_if(all_, [&](const Tried& t) { return !fails_in_(t.band); });
-    in_bands_ = true;
+    in_bands_ = true, gain_of_bands_ = 0;
     found = separating();
     if (found) found->in_bands = true;
     return found;
   }
 
  private:
+  struct Found {
+    std::vector<FeatureRange> parts;
+    Counts counts;
+    double score = -infinity;  ///< the gain without what its borders cost
+  };
+
   std::optional<Condition> separating() {
     const auto failed = static_cast<std::uint64_t>(std::ranges::count_if(all_, &Tried::failed));
     if (failed < least || all_.size() - failed < least) return std::nullopt;
-    std::optional<Condition> best;
-    double least_cost = std::numeric_limits<double>::infinity();
-    for (const Name& name : names)
-      for (const Condition& c : candidates(name, failed))
-        if (const double cost = errors(c) + 0.02 * static_cast<double>(failed) * borders(name, c);
-            cost < least_cost)
-          best = c, least_cost = cost;
-    // It must leave out a twentieth of the inputs, or it tells nothing. It must hold for 95 % of the failing inputs, and of the others at most 2 % may fail. Where it holds, 90 % fail; or half,
-    // if it leaves out a fifth of all inputs; or a quarter, if that is three times the share of all: a small error is often
-    // within its limit. A border that is no zero or whole number costs as much as 2 % of the failing inputs.
-    if (!best || 20 * best->failed < 19 * failed) return std::nullopt;
-    const auto share = [](std::uint64_t part, std::uint64_t whole) {
-      return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
-    };
-    const double inside = share(best->failed, best->cases), all = share(failed, all_.size());
-    const bool separates = 50 * best->failed_elsewhere <= best->elsewhere + 50,
-               halves = inside >= 0.5 && 5 * best->elsewhere >= all_.size();
-    const bool angle_alone = best->feature == Feature::trace;  // a negative trace is an angle above 2 pi / 3
-    if (!separates || 20 * best->elsewhere < all_.size() || (inside < 0.9 && angle_alone) ||
-        (inside < 0.9 && !halves && (inside < 0.25 || inside < 3 * all)))
-      return std::nullopt;
-    for (const bool low : {true, false}) refine(*best, low);
-    for (const Tried& t : all_)
-      if (t.failed) best->errors.emplace_back(t.features[best->feature], t.error * series_.eps);
-    std::ranges::sort(best->errors);
-    return best;
-  }
-  static double errors(const Condition& c) {
-    return static_cast<double>(c.cases - c.failed + c.failed_elsewhere);
-  }
-  /// How many borders of a condition are no natural ones: a zero, or those of what has whole numbers.
-  static int borders(const Name& name, const Condition& c) {
-    if (name.written == Written::flag) return 0;
-    const auto chosen = [](double border) {
-      return std::isfinite(border) && std::fabs(border) > smallest && border != lowest;
-    };
-    const int all = chosen(c.low) + chosen(c.high);
-    return name.written == Written::count ? std::min(all, 1) : all;
-  }
-  void count(Condition& c) const {
-    c.failed = c.cases = c.failed_elsewhere = c.elsewhere = 0;
-    for (const Tried& t : all_)
-      c.holds(t.features) ? (++c.cases, c.failed += t.failed)
-                          : (++c.elsewhere, c.failed_elsewhere += t.failed);
-  }
-  /// The ranges of a feature, open on a side or not, that hold all failing cases, or all but a twentieth on a side.
-  std::vector<Condition> candidates(const Name& name, std::uint64_t failed) const {
-    std::vector<double> of_failed, of_all;
-    for (const Tried& t : all_)
-      if (const double v = t.features[name.feature]; v == v) {
-        of_all.push_back(v);
-        if (t.failed) of_failed.push_back(v);
+    std::vector<const Tried*> inputs;
+    for (const Tried& t : all_) inputs.push_back(&t);
+    std::vector<Found> firsts;  // the best of each feature
+    Found best;
+    for (std::size_t i = 0; i < trial_.names().size(); ++i) {
+      Found of_feature;
+      for (const FeatureRange& part : candidates(i, inputs)) {
+        Found next = with({}, part, inputs, 0);
+        if (!holds_for_failures(next.counts)) continue;
+        if (next.score > of_feature.score) of_feature = next;
+        if (next.score > best.score && is_accepted(next)) best = next;
       }
+      if (!of_feature.parts.empty()) firsts.push_back(std::move(of_feature));
+    }
+    // A second part only where the first leaves much unexplained.
+    if (best.counts.inside() < 0.9) {
+      std::ranges::stable_sort(firsts, std::greater(), &Found::score);
+      if (firsts.size() > most_firsts) firsts.resize(most_firsts);
+      const Found alone = best;
+      for (const Found& first : firsts) add_second(first, alone, best);
+    }
+    if (best.parts.empty()) return std::nullopt;
+    return refined(std::move(best));
+  }
+
+  void add_second(const Found& first, const Found& alone, Found& best) const {
+    const FeatureName& one = name(first.parts[0]);
+    const auto tells_little = [&](const FeatureRange& part) { return name(part).negated && part.low <= 0; };
+    if (tells_little(first.parts[0])) return;
+    std::vector<const Tried*> inputs;
+    for (const Tried& t : all_)
+      if (first.parts[0].holds(t)) inputs.push_back(&t);
+    for (std::size_t i = 0; i < trial_.names().size(); ++i) {
+      // Of one argument, signs or the kinds of an order may be combined; its zeros and its size follow from each other.
+      const FeatureName& other = trial_.names()[i];
+      const bool same = !one.argument.empty() && other.argument == one.argument;
+      const bool kinds = one.written == other.written && !one.negated && !other.negated &&
+                         one.written >= Written::flag && first.parts[0].high != above_zero;
+      if (i == first.parts[0].feature || (same && !kinds)) continue;
+      // That an input lacks the feature tells little, too.
+      if (std::ranges::any_of(inputs, [i](const Tried* t) { return std::isnan((*t)[i]); })) continue;
+      for (const FeatureRange& part : candidates(i, inputs)) {
+        Found next = with(first.parts, part, inputs, first.counts.failed_elsewhere);
+        const bool tells_more = next.counts.inside() >= 1.25 * first.counts.inside() &&
+                                next.score >= first.score + least_gain &&
+                                next.score >= std::max(0.0, alone.score) + least_gain;
+        if (!tells_little(part) && !(same && part.high == above_zero) && tells_more &&
+            next.score > best.score && holds_for_failures(next.counts) && is_accepted(next))
+          best = std::move(next);
+      }
+    }
+  }
+
+  /// It holds for 95 % of the failing inputs, and of the others at most 2 % fail.
+  static bool holds_for_failures(const Counts& c) {
+    return 20 * c.failed >= 19 * (c.failed + c.failed_elsewhere) &&
+           50 * c.failed_elsewhere <= c.elsewhere + 50;
+  }
+  /// It must leave out a twentieth of the inputs, or it tells nothing. Where it holds, 90 % fail; or half, if it leaves out a
+  /// fifth of all inputs; or a quarter, if that is three times the share of all: a small error is often within its limit. Or
+  /// none fails elsewhere, which is no chance.
+  bool is_accepted(const Found& f) const {
+    const Counts& c = f.counts;
+    if (20 * c.elsewhere < all_.size()) return false;
+    if (c.inside() >= 0.9) return true;
+    for (const FeatureRange& part : f.parts)
+      if (name(part).angle) return false;
+    const bool fifth = 5 * c.elsewhere >= all_.size();
+    if (f.parts.size() == 1 &&
+        ((c.inside() >= 0.5 && fifth) || (c.inside() >= 0.25 && c.inside() >= 3 * c.all())))
+      return true;
+    return fifth && c.failed_elsewhere == 0 && c.inside() >= 1.25 * c.all() && f.score >= least_gain &&
+           f.score > gain_of_bands_;
+  }
+
+  const FeatureName& name(const FeatureRange& part) const { return trial_.names()[part.feature]; }
+  /// How many borders of a part are no natural ones: a zero, or those of what has whole numbers.
+  int borders(const FeatureRange& part) const {
+    if (name(part).written == Written::flag) return 0;
+    const auto chosen = [](double border) {
+      return std::isfinite(border) && std::fabs(border) > above_zero && border != above_log_of_zero;
+    };
+    const int all = chosen(part.low) + chosen(part.high);
+    return name(part).written == Written::count ? std::min(all, 1) : all;
+  }
+  template <class Holds>
+  Counts count_where(Holds&& holds) const {
+    Counts c;
+    for (const Tried& t : all_)
+      holds(t) ? (++c.cases, c.failed += t.failed) : (++c.elsewhere, c.failed_elsewhere += t.failed);
+    return c;
+  }
+  Counts count(const std::vector<FeatureRange>& parts) const {
+    return count_where([&](const Tried& t) {
+      return std::ranges::all_of(parts, [&](const FeatureRange& part) { return part.holds(t); });
+    });
+  }
+  /// Parts, of which all but the last hold for the inputs, and for no others.
+  Found with(std::vector<FeatureRange> parts, const FeatureRange& last,
+             const std::vector<const Tried*>& inputs, std::uint64_t failed_elsewhere) const {
+    Found f{std::move(parts), {}, 0};
+    f.parts.push_back(last);
+    Counts& c = f.counts;
+    c.elsewhere = all_.size() - inputs.size(), c.failed_elsewhere = failed_elsewhere;
+    for (const Tried* t : inputs)
+      last.holds(*t) ? (++c.cases, c.failed += t->failed) : (++c.elsewhere, c.failed_elsewhere += t->failed);
+    f.score = c.gain();
+    for (const FeatureRange& part : f.parts) f.score -= gain_of_border * borders(part);
+    return f;
+  }
+  /// The ranges of a feature, open on a side or not, that hold all failing inputs, or all but a twentieth on a side, and leave
+  /// out a twentieth of those that have the feature.
+  std::vector<FeatureRange> candidates(std::size_t feature, const std::vector<const Tried*>& inputs) const {
+    std::vector<double> of_failed, of_all;
+    std::size_t failed = 0;
+    for (const Tried* t : inputs) {
+      failed += t->failed;
+      if (const double v = (*t)[feature]; v == v) {
+        of_all.push_back(v);
+        if (t->failed) of_failed.push_back(v);
+      }
+    }
     if (of_failed.size() < least || 20 * of_failed.size() < 19 * failed) return {};
+    const Written written = trial_.names()[feature].written;
+    const double zero = written == Written::scale ? above_log_of_zero : above_zero;
+    std::vector<FeatureRange> all;
+    const auto add = [&](double from, double to) {
+      const auto out = std::ranges::count_if(of_all, [&](double v) { return v < from || v >= to; });
+      if (from < to && 20 * out >= std::ssize(of_all)) all.push_back({feature, from, to});
+    };
+    if (written == Written::flag) {
+      add(zero, infinity), add(-infinity, zero);
+      return all;
+    }
+    add(0, above_zero), add(-infinity, 0), add(0, infinity), add(above_zero, infinity),
+        add(-infinity, above_zero);
+    if (written == Written::sign) return all;
     std::ranges::sort(of_failed), std::ranges::sort(of_all);
-    const auto above = [&](double v) {  // the next value that a case has
+    const auto above = [&](double v) {  // the next value that an input has
       const auto at = std::ranges::upper_bound(of_all, v);
       return at == of_all.end() ? infinity : *at;
     };
-    std::vector<Condition> all;
     const std::size_t few = of_failed.size() / 20;
-    const double low = of_failed.front(), high = above(of_failed.back());
-    const std::pair<double, double> ranges[] = {{0.0, smallest},
-                                                {-infinity, 0.0},
-                                                {0.0, infinity},
-                                                {-infinity, of_failed.back() == -infinity ? lowest : high},
-                                                {low, infinity},
-                                                {low, high},
-                                                {-infinity, above(of_failed[of_failed.size() - 1 - few])},
-                                                {of_failed[few], infinity}};
-    for (const auto& [from, to] : std::span(ranges).first(name.written == Written::sign ? 3 : 8)) {
-      Condition c{name.feature, from, to};
-      count(c);
-      if (c.elsewhere > 0) all.push_back(c);
-    }
+    const double low = of_failed.front(), high = above(of_failed.back()),
+                 most = above(of_failed[of_failed.size() - 1 - few]);
+    add(-infinity, of_failed.back() == -infinity ? above_log_of_zero : high);
+    add(low, infinity), add(low, high), add(-infinity, most), add(of_failed[few], infinity);
+    for (const double to : {high, most})
+      if (to < infinity) add(zero, to);
     return all;
   }
-  /// Moves a border of the condition to where inputs between a failing and a passing one change.
-  void refine(Condition& c, bool low) {
-    const double border = low ? c.low : c.high;
-    if (std::fabs(border) <= smallest || border == lowest) return;  // zero
-    const Name& name = *std::ranges::find(names, c.feature, &Name::feature);
-    if (!std::isfinite(border) || name.written > Written::scale) return;
+
+  /// Without borders that leave out nearly nothing.
+  void simplify(Found& f) const {
+    for (std::size_t k = 0; k < f.parts.size(); ++k)
+      for (const bool low : {true, false}) {
+        if (borders(f.parts[k]) == 0) continue;
+        Found simpler = f;
+        FeatureRange& part = simpler.parts[k];
+        const bool scale = name(part).written == Written::scale;
+        const double natural = !low                    ? infinity
+                               : std::isinf(part.high) ? part.low
+                               : scale                 ? above_log_of_zero
+                               : part.high < 0         ? -infinity
+                                                       : above_zero;
+        if ((low && part.low <= natural) || (!low && part.low <= above_zero)) continue;
+        (low ? part.low : part.high) = natural;
+        simpler.counts = count(simpler.parts);
+        const bool same = simpler.counts.gain() >= 0.85 * f.counts.gain() &&
+                          simpler.counts.inside() >= 0.9 * f.counts.inside();
+        if (same && simpler.counts.elsewhere > 0) f = std::move(simpler);
+      }
+  }
+
+  Condition refined(Found f) {
+    simplify(f);
+    for (std::size_t k = 0; k < f.parts.size(); ++k)
+      for (const bool low : {true, false}) refine(f, k, low);
+    std::ranges::stable_sort(f.parts, std::greater(),
+                             [&](const FeatureRange& part) { return borders(part); });
+    const FeatureRange& main = f.parts.front();
+    Condition c;
+    c.feature = name(main).feature, c.low = main.low, c.high = main.high;
+    for (const FeatureRange& part : f.parts)
+      c.text += (c.text.empty() ? "" : " and ") + text_of(name(part), part.low, part.high, series_.format());
+    const Counts& n = f.counts;
+    c.failed = n.failed, c.cases = n.cases;
+    c.failed_elsewhere = n.failed_elsewhere, c.elsewhere = n.elsewhere;
+    for (const Tried& t : all_)
+      if (t.failed && (f.parts.size() == 1 || f.parts.back().holds(t)))
+        c.errors.emplace_back(t[main.feature], t.error * series_.eps);
+    std::ranges::sort(c.errors);
+    return c;
+  }
+  /// Whether a part holds for an input, on the side of one border only.
+  static bool beyond(double v, double border, bool low) { return low ? v < border : v >= border; }
+  /// Moves a border of a part to where inputs between a failing and a passing one change.
+  void refine(Found& f, std::size_t k, bool low) {
+    const FeatureRange part = f.parts[k];
+    const double border = low ? part.low : part.high;
+    if (std::fabs(border) <= above_zero || border == above_log_of_zero || !std::isfinite(border)) return;
+    const auto value = [&](const Tried& t) { return t[part.feature]; };
+    const auto others_hold = [&](const Tried& t) {
+      return std::ranges::all_of(f.parts,
+                                 [&](const FeatureRange& p) { return &p == &f.parts[k] || p.holds(t); });
+    };
     const Tried *in = nullptr, *out = nullptr;  // the nearest to the border on both sides
     for (const Tried& t : all_) {
-      const double v = t.features[c.feature];
-      if (v != v) continue;
-      const bool beyond = low ? v < border : v >= border;
-      if (t.failed && c.holds(t.features) &&
-          (!in || (low ? v < in->features[c.feature] : v > in->features[c.feature])))
-        in = &t;
-      if (!t.failed && beyond &&
-          (!out || (low ? v > out->features[c.feature] : v < out->features[c.feature])))
+      const double v = value(t);
+      if (v != v || !others_hold(t)) continue;
+      if (t.failed && part.holds(t) && (!in || (low ? v < value(*in) : v > value(*in)))) in = &t;
+      if (!t.failed && beyond(v, border, low) && (!out || (low ? v > value(*out) : v < value(*out))))
         out = &t;
     }
-    if (!in || !out) return;
-    double inside = in->features[c.feature], outside = out->features[c.feature];
+    if (!in) return;
+    if (name(part).written == Written::count) return low ? lower(f, k, *in) : void();
+    if (name(part).written > Written::scale || !out) return;
+    double inside = value(*in), outside = value(*out);
     std::vector<double> a = in->input, b = out->input;
     const auto closer = [&](double share) {
-      const std::vector<double> x = point_between(series_, a, b, share);
+      const std::vector<double> x = input_between(series_, a, b, share);
       if (x.empty() || x == a || x == b || !series_.tested_law().valid(x)) return false;
-      const auto t = trial_(x);
-      if (!t || (in_bands_ && !fails_in_(t->band))) return false;
-      const double v = t->features[c.feature];
+      const auto tried = trial_(x);
+      if (tried.size() != 1 || (in_bands_ && !fails_in_(tried[0].band))) return false;
+      const double v = value(tried[0]);
       if (!(v >= std::min(inside, outside) && v <= std::max(inside, outside))) return false;
-      (t->failed ? inside : outside) = v;
-      (t->failed ? a : b) = x;
+      (tried[0].failed ? inside : outside) = v;
+      (tried[0].failed ? a : b) = x;
       return true;
     };
     // A vector between two that point elsewhere may be shorter than both, and longer ones are near the ends.
     const double shares[] = {0.5, 0.25, 0.75, 0.1, 0.9};
-    for (int k = 0; k < 40 && a.size() == b.size() && !stop_requested; ++k)
+    for (int i = 0; i < 40 && a.size() == b.size() && !stop_requested; ++i)
       if (std::ranges::none_of(shares, closer)) break;
-    Condition moved = c;
-    double to = rounded(inside, outside);
-    if (name.written == Written::scale) {  // the shortest size, not the shortest logarithm
-      const double most = series_.format().max_exponent;
-      const double size = std::log2(rounded(std::exp2(inside * most), std::exp2(outside * most))) / most;
-      if (std::isfinite(size)) to = size;
-    }
-    (low ? moved.low : moved.high) = to;
-    count(moved);
-    if (errors(moved) <= errors(c)) c = moved;
+    move(f, k, low, between(part, inside, outside));
   }
-  /// The shortest number between two.
-  static double rounded(double a, double b) {
+  /// Takes joints from the input until it passes.
+  void lower(Found& f, std::size_t k, const Tried& failing) {
+    double low = f.parts[k].low;
+    for (std::vector<double> x = failing.input; !stop_requested;) {
+      x = without_last_joint(series_, x);
+      if (x.empty() || !series_.tested_law().valid(x)) break;
+      const auto tried = trial_(x);
+      const auto fails = std::ranges::find_if(tried, &Tried::failed);
+      if (fails == tried.end()) break;
+      if (const double v = (*fails)[f.parts[k].feature]; v < low) low = v;
+    }
+    move(f, k, true, low);
+  }
+  void move(Found& f, std::size_t k, bool low, double to) const {
+    std::vector<FeatureRange> moved = f.parts;
+    (low ? moved[k].low : moved[k].high) = to;
+    const Counts c = count(moved);
+    if (c.errors() <= f.counts.errors()) f.parts = moved, f.counts = c;
+  }
+  /// The border between two values: the shortest size or number, in the unit in which it is written.
+  double between(const FeatureRange& part, double inside, double outside) const {
+    if (name(part).written == Written::scale) {  // not the shortest logarithm
+      const double most = series_.format().max_exponent;
+      const double size = std::log2(shortest(std::exp2(inside * most), std::exp2(outside * most))) / most;
+      if (std::isfinite(size)) return size;
+    }
+    const double unit = name(part).unit == " eps" ? series_.format().epsilon : 1;
+    return shortest(inside * unit, outside * unit) / unit;
+  }
+  static double shortest(double a, double b) {
     const double low = std::min(a, b), high = std::max(a, b);
     if (low <= 0 && high >= 0) return 0;
     for (int digits = 1; digits < 17; ++digits) {
@@ -348,6 +369,7 @@ class ConditionSearch {
   const Series& series_;
   Trial trial_;
   const std::function<bool(std::size_t band)>& fails_in_;
+  double gain_of_bands_ = 0;  ///< a condition without which none fails must tell more than the bands do
   bool in_bands_ = false;
   std::vector<Tried> all_;
 };
@@ -359,29 +381,6 @@ std::optional<Condition> condition_of(const Series& series, std::size_t output, 
   return ConditionSearch(series, output, fails_in).run(seed);
 } catch (const GivenUp&) {  // a signal ended a call
   return std::nullopt;
-}
-
-std::string text_of(const Condition& c, const Scalar& scalar) {
-  const Name& name = *std::ranges::find(names, c.feature, &Name::feature);
-  const auto value = [&](double v) {
-    return name.written == Written::scale
-               ? fmt::format("{:.2g}{}", std::exp2(v * scalar.max_exponent), name.unit)
-           : name.written == Written::count ? fmt::format("{}", std::ceil(v))
-                                            : fmt::format("{:.2g}{}", v, name.unit);
-  };
-  if (name.written == Written::flag) return c.low > 0 ? name.name : name.unit;
-  if (c.low == 0 && c.high == smallest) return fmt::format("{} = 0", name.name);
-  if (c.high == lowest) return fmt::format("{} is 0", name.name);
-  const bool below = c.low == -infinity, above = c.high == infinity;
-  if (name.written == Written::count && (!above || below)) {
-    const double first = std::ceil(c.low), last = std::ceil(c.high) - 1;
-    if (below) return fmt::format("{} <= {}", name.name, last);
-    return first == last ? fmt::format("{} = {}", name.name, first)
-                         : fmt::format("{} from {} to {}", name.name, first, last);
-  }
-  if (below) return fmt::format("{} < {}", name.name, value(c.high));
-  if (above) return fmt::format("{} >= {}", name.name, value(c.low));
-  return fmt::format("{} from {} to {}", name.name, value(c.low), value(c.high));
 }
 
 }  // namespace liecheck::properties

@@ -168,7 +168,7 @@ class Sorter {
     } else if (part.name == "t") {
       features_[Of::fraction] = x[0];
     } else if (part.name == "wrench_joint") {
-      features_[Of::wrench] = x[0] >= 0;
+      features_[Of::wrench] = x[0] >= 0, features_[Of::wrench_joint] = x[0] + 1;
     }
   }
   void add_quaternion(const double* Q) {
@@ -199,6 +199,10 @@ class Sorter {
   void add_joints(const Part& part, const double* x, int n) {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(x[i]));
+    const bool not_zero = largest != 0;
+    if (part.name == "v") features_[Of::moves] = not_zero;
+    if (part.name == "a") features_[Of::accelerates] = not_zero;
+    if (part.name == "tau") features_[Of::driven] = not_zero;
     const bool increment = part.name == "delta", drive = part.name == "a" || part.name == "tau";
     raise(part.size == nq                 ? Of::position
           : increment || part.name == "v" ? Of::joint_speed
@@ -229,6 +233,40 @@ int shape_of(const Tree<double>& tree) {
   return chain ? 0 : star ? 1 : world ? 2 : 3;
 }
 
+/// How the joints of a tree follow each other, its gravity and its frame.
+void add_paths(Features& f, const Tree<double>& tree) {
+  using oracles::JointKind;
+  struct Path {
+    int depth = 0, velocities = 0;  ///< the most velocities of a joint on it
+    bool turns = false;
+  };
+  std::vector<Path> paths;
+  for (const Of flag : {Of::depth, Of::several, Of::several_armature, Of::turned_prismatic,
+                        Of::inner_free_flyer, Of::narrower})
+    f[flag] = 0;
+  for (const auto& j : tree.joints) {
+    Path path = j.parent < 0 ? Path{} : paths[static_cast<std::size_t>(j.parent)];
+    const int n = oracles::velocity_size(j.kind);
+    const auto note = [&](Of flag, bool holds) { f[flag] = std::max(f[flag], double(holds)); };
+    note(Of::several, n > 1);
+    note(Of::several_armature, n > 1 && j.armature > 0);
+    note(Of::turned_prismatic, j.kind == JointKind::prismatic && path.turns);
+    note(Of::inner_free_flyer, j.kind == JointKind::free_flyer && path.depth > 0);
+    note(Of::narrower, n < path.velocities);
+    ++path.depth;
+    path.velocities = std::max(path.velocities, n);
+    path.turns = path.turns || (j.kind != JointKind::prismatic && j.kind != JointKind::translation);
+    f[Of::depth] = std::max<double>(f[Of::depth], path.depth);
+    paths.push_back(path);
+  }
+  const auto& g = tree.gravity;
+  f[Of::tilted_gravity] = g[0] != 0 || g[1] != 0;
+  f[Of::gravity] = f[Of::tilted_gravity] != 0 || std::fabs(g[2] + 9.81) > 1e-6;  // rounded to float, perhaps
+  if (const auto joint = static_cast<std::size_t>(tree.frame_joint); joint < paths.size())
+    f[Of::frame_depth] = paths[joint].depth;
+  f[Of::frame_off] = tree.frame_p[0] != 0 || tree.frame_p[1] != 0 || tree.frame_p[2] != 0;
+}
+
 }  // namespace
 
 Context context_of(const Tree<double>& tree) {
@@ -249,6 +287,7 @@ Context context_of(const Tree<double>& tree) {
   }
   f[Of::mass_ratio] = heaviest / lightest;
   if (tree.joints.size() >= 3) f[Of::shape] = shape_of(tree);
+  add_paths(f, tree);
   return context;
 }
 

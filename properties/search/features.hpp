@@ -56,15 +56,29 @@ enum class Feature : std::uint8_t {
   x_negative,   ///< 1 if the first number of the first rotation or vector is negative, else 0
   y_negative,
   z_negative,
-  largest,        ///< which of these three numbers is the largest in size: 0, 1 or 2
-  trace,          ///< of the first matrix
-  second_w,       ///< scalar part of the second quaternion
-  product,        ///< Q0 . Q1 of two quaternions
-  fraction,       ///< t
-  along,          ///< the cosine of the angle between the axis of the first rotation and the first vector
-  order,          ///< of Euler angles
-  first_length,   ///< likewise of the first vector alone
-  second_length,  ///< and of the second
+  largest,           ///< which of these three numbers is the largest in size: 0, 1 or 2
+  trace,             ///< of the first matrix
+  second_w,          ///< scalar part of the second quaternion
+  product,           ///< Q0 . Q1 of two quaternions
+  fraction,          ///< t
+  along,             ///< the cosine of the angle between the axis of the first rotation and the first vector
+  order,             ///< of Euler angles
+  first_length,      ///< likewise of the first vector alone
+  second_length,     ///< and of the second
+  depth,             ///< the most joints on a path from the world to a body
+  several,           ///< 1 if a joint has several velocities, else 0
+  several_armature,  ///< 1 if a joint of several velocities has an armature, else 0
+  turned_prismatic,  ///< 1 if a prismatic joint is behind one that rotates, else 0
+  inner_free_flyer,  ///< 1 if a free-flyer is behind another joint, else 0
+  narrower,          ///< 1 if a joint has fewer velocities than one before it on its path, else 0
+  gravity,           ///< 1 if it is not (0, 0, -9.81), else 0
+  tilted_gravity,    ///< 1 if it has a part along x or y, else 0
+  frame_depth,       ///< joints on the path from the world to the frame
+  frame_off,         ///< 1 if the frame's origin is not its joint's, else 0
+  wrench_joint,      ///< the number of the joint on which a wrench acts, from 1; 0: none acts
+  moves,             ///< 1 if a number of v is not zero, else 0
+  accelerates,       ///< likewise of a
+  driven,            ///< likewise of tau
   lock,  ///< the angle between the middle Euler angle of a rotation and the nearer end of its range [rad]
   call,  ///< 1 for the first call of the operation, and so on
   call_mod_1000,   ///< the number of the call modulo 1000

@@ -114,7 +114,7 @@ TEST(Causes, OfAVectorSayItsLength) {
     };
   });
   ASSERT_EQ(all.size(), 1);
-  EXPECT_TRUE(says(all[0], "where    the length of the second vector is 0: ")) << all[0];
+  EXPECT_TRUE(says(all[0], "where    p_Y = 0: ")) << all[0];
 }
 
 TEST(Causes, OfAResultThatIsFiniteAreNotCalledNaN) {
