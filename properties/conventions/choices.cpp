@@ -259,7 +259,7 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
          differ ? fmt::format("choice \"{}\": {}", c.name, fmt::join(each, ", "))
                 : fmt::format("choice \"{}\": \"{}\" in {}; an adapter that states it is held to it", c.name,
                               value, fmt::join(decided, ", ")),
-         decided, true, value == c.values.front() || value == free_choice});
+         decided, true, !differ && (value == c.values.front() || value == free_choice)});
   }
   return findings;
 }

@@ -59,7 +59,7 @@ TEST(Causes, OfAPoseInThePlaneAreThoseOfItsExponential) {
   });
   ASSERT_EQ(all.size(), 1);
   EXPECT_TRUE(says(all[0], "1  se2_exp (translation)") &&
-              says(all[0], "so       se2_integrate is wrong, too"))
+              says(all[0], "so       se2_integrate fails in the same way"))
       << all[0];
   EXPECT_TRUE(says(all[0], "a cutoff at theta about 1e-6: above it the closed form cancels")) << all[0];
 }
@@ -103,7 +103,7 @@ TEST(Causes, OfADerivativeAreKnownWithoutADifference) {
     };
   });
   ASSERT_EQ(all.size(), 1);
-  EXPECT_TRUE(says(all[0], "so       d_difference_arg1 is wrong, too")) << all[0];
+  EXPECT_TRUE(says(all[0], "so       d_difference_arg1 fails in the same way")) << all[0];
 }
 
 TEST(Causes, OfAVectorSayItsLength) {
