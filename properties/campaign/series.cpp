@@ -99,6 +99,14 @@ bool same(const Judged& a, const Judged& b) {
          a.ill_posed == b.ill_posed;
 }
 
+/// Whether both may be one measurement by two tiers of balls: a case is measured by the tier that decides all its outputs.
+bool alike(const Judged& a, const Judged& b) {
+  const Residual &x = a.residual, &y = b.residual;
+  const double apart = std::fabs(x.error - y.error), size = std::max({1.0, x.error, y.error});
+  return x.output == y.output && x.outcome == y.outcome && a.failed == b.failed &&
+         (same_number(x.error, y.error) || apart <= 4 * oracles::error_accuracy * size);
+}
+
 /// Whether a call without a result ended the case.
 bool has_ended(const std::vector<Judged>& judged) {
   return std::ranges::any_of(judged, [](const Judged& j) {
@@ -106,13 +114,13 @@ bool has_ended(const std::vector<Judged>& judged) {
   });
 }
 
-/// Whether the output was measured in another case, too, and never with this result.
+/// Whether the output was measured the other time, too, and never with this result.
 bool differs_from_all(const Judged& j, const std::vector<Judged>& others) {
   bool any = false;
   if (leaves_open(j.residual.outcome)) return false;
   for (const Judged& other : others) {
     if (other.residual.output != j.residual.output || leaves_open(other.residual.outcome)) continue;
-    if (same(j, other)) return false;
+    if (alike(j, other)) return false;
     any = true;
   }
   return any;
@@ -468,13 +476,17 @@ void Series::confirm(const std::vector<double>& x, std::vector<Judged>& judged) 
   const Checking checking(*this);
   const std::vector<Judged> again = measure(x);
   checking.judge(judged);
+  const bool ended = has_ended(judged) || has_ended(again);
+  const bool any_apart = !std::ranges::equal(judged, again, alike);
   for (std::size_t i = 0; i < judged.size(); ++i) {
     const Outcome o = judged[i].residual.outcome;
     if (is_misuse(o) || o == Outcome::outside_domain) continue;
-    // A call without a result ends a case. What was not measured then tells nothing about other operations.
-    const bool differs = has_ended(judged) || has_ended(again)
-                             ? differs_from_all(judged[i], again)
-                             : again.size() != judged.size() || !same(judged[i], again[i]);
+    // A call without a result ends a case. What was not measured then tells nothing about other operations. Where one output
+    // differs, another tier may have measured the others.
+    const bool differs = ended                           ? differs_from_all(judged[i], again)
+                         : again.size() != judged.size() ? true
+                         : any_apart                     ? !alike(judged[i], again[i])
+                                                         : !same(judged[i], again[i]);
     if (differs) fail_as(Outcome::not_repeatable, judged[i]);
   }
 }

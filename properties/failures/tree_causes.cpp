@@ -79,8 +79,9 @@ bool fail_on_the_same(const Verdicts& a, const Verdicts& b) {
   }
   if (std::min(of_a, of_b) < 3 || both < 0.9 * std::min(of_a, of_b)) return false;
   if (both >= 0.8 * (of_a + of_b - both)) return true;
-  const double where_a_passes = measured > of_a ? (of_b - both) / (measured - of_a) : 0;
-  return both / of_a - where_a_passes >= 0.5;
+  const double passes = measured - of_a, shared = both / of_a;
+  const double elsewhere = passes > 0 ? (of_b - both) / passes : 0;
+  return shared - elsewhere >= 0.5 || (shared >= 0.2 && elsewhere == 0 && passes >= 0.3 * measured);
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 // rotation are none at all, and each says where in terms of what decides.
 
 #include <gtest/gtest.h>
-#include <campaign/campaign.hpp>
-#include <campaign/robots.hpp>
 #include <cmath>
-#include <failures/findings.hpp>
 #include <functional>
 #include <numbers>
 #include "../own_subject.hpp"
+#include "finding_texts.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -23,18 +21,7 @@ std::vector<std::string> findings(void (*plant)(TypedOperations<double>&)) {
   static int number = 0;
   const std::string name = "one_fault_" + std::to_string(++number);
   [[maybe_unused]] const auto registered = liecheck::properties::registered(name, plant);
-  CampaignOptions options;
-  options.selection = {{name}, {}, {"double"}};
-  options.selection.profiles = {{"", Profile::careful}};
-  options.cases = 1000, options.jobs = 1, options.quiet = true;
-  const CampaignResult r = run_campaign(options, built_in_robot());
-  std::vector<FailedBlock> failed = failed_blocks(r);
-  std::vector<std::string> texts;
-  for (const Finding& f : findings_of(r, failed, {})) texts.push_back(text_of(f, texts.size() + 1, r));
-  return texts;
-}
-bool says(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
+  return finding_texts(name);
 }
 
 M3 hat(const V3& v) {
