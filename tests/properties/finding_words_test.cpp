@@ -133,7 +133,7 @@ TEST(FindingWords, ThePoseOfAQuaternionIsJudgedByTheQuaternion) {
 
 TEST(FindingWords, AllDigitsAreNotCountedAgain) {
   const double eps = std::numeric_limits<double>::epsilon();
-  EXPECT_EQ(digits_lost(0.99 / eps, eps), "all 15.7 digits lost");
+  EXPECT_EQ(digits_lost(0.995 / eps, eps), "all 15.7 digits lost");
   EXPECT_EQ(digits_lost(1e7, eps), "7.0 of 15.7 digits lost");
 }
 
