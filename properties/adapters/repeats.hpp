@@ -21,8 +21,9 @@ class Repeats {
   struct Call {
     std::vector<std::byte> input, result;
   };
-  /// The index of the first call whose result is another one now, or of no call.
-  std::size_t other_result(const CFunction& function, bool is_double, bool reversed) const;
+  /// The index of the first call whose result is another one now, which `other` becomes, or of no call.
+  std::size_t other_result(const CFunction& function, bool is_double, bool reversed,
+                           std::vector<std::byte>& other) const;
 
   static constexpr unsigned each = 20;
   static constexpr std::size_t enough = 32;

@@ -35,7 +35,7 @@ class Numbers {
   int k_ = 0;
 };
 
-/// A chain with one joint of each kind that the adapter takes.
+/// A chain with one joint of each kind that the adapter takes, and two bodies on each.
 Tree<double> chain(const Description& adapter) {
   const auto takes = [&](std::size_t name) {
     return adapter.joints.empty() || adapter.joints.contains(joint_names()[name]);
@@ -58,6 +58,11 @@ Tree<double> chain(const Description& adapter) {
   tree.index();
   tree.frame_joint = static_cast<int>(tree.joints.size()) - 1;
   tree.frame_Q = {{0.5, -0.5, 0.1, 0.7}}, tree.frame_p = number.three();
+  for (int i = 0; i <= tree.frame_joint; ++i) {
+    const auto Q = number.unit(4);
+    const oracles::BodyOf<double> body{0.75, number.three(), tree.joints[0].body.I_C};
+    tree.fixed.push_back({i, body, {{Q[0], Q[1], Q[2], Q[3]}}, number.three()});
+  }
   return tree;
 }
 

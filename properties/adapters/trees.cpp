@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <subjects/call_refused.hpp>
 #include <subjects/number_function.hpp>
 #include <support/json.hpp>
 
@@ -181,7 +182,7 @@ void Model::call(const Operation& o, const void* arguments, void* results) const
   } catch (const AdapterFailed& e) {
     throw CallFailed(e.what(), o.name, Outcome::crashed);
   }
-  if (status == Status::refused) throw std::domain_error(in_words(status, why));
+  if (status == Status::refused) throw CallRefused(in_words(status, why), o.name);
   if (status != Status::done) throw CallFailed(in_words(status, why), o.name, outcome_of(status));
 }
 

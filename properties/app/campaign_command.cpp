@@ -201,6 +201,8 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
   if (any_failed(hard_cases))
     text += r.failed ? ": laws failed; hard cases failed" : ": hard cases failed";
+  else if (r.failed)
+    text += ": laws failed";
   else if (any_open(hard_cases))
     text += ": hard cases have no verdict";
   return text;

@@ -68,7 +68,7 @@ ToldFindings told_findings(const CampaignResult& r, const std::vector<HardRow>& 
 void print(const ToldFindings& told) {
   for (const std::string& text : told.texts) say("\n{}", text);
   if (const std::size_t more = told.findings.size() - told.texts.size())
-    say("\n{} more findings: --all prints them\n", more);
+    say("\n{} more finding{}: --all prints {}\n", more, more == 1 ? "" : "s", more == 1 ? "it" : "them");
 }
 
 void print_failures(const CampaignResult& r, bool all) {

@@ -1,6 +1,6 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
-#include <campaign/series.hpp>
 #include <campaign/robots.hpp>
+#include <campaign/series.hpp>
 #include <campaign/window.hpp>
 #include <invariants/property.hpp>
 
@@ -12,6 +12,7 @@
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <stdexcept>
+#include <subjects/call_refused.hpp>
 #include <subjects/remote.hpp>
 #include <subjects/subject_names.hpp>
 #include <support/float_environment.hpp>
@@ -96,6 +97,41 @@ bool same(const Judged& a, const Judged& b) {
   return x.output == y.output && x.band == y.band && x.outcome == y.outcome &&
          same_number(x.error, y.error) && same_number(x.kappa, y.kappa) && a.failed == b.failed &&
          a.ill_posed == b.ill_posed;
+}
+
+/// Whether both may be one measurement by two tiers of balls: a case is measured by the tier that decides all its outputs.
+bool alike(const Judged& a, const Judged& b) {
+  const Residual &x = a.residual, &y = b.residual;
+  const double apart = std::fabs(x.error - y.error), size = std::max({1.0, x.error, y.error});
+  return x.output == y.output && x.outcome == y.outcome && a.failed == b.failed &&
+         (same_number(x.error, y.error) || apart <= 4 * oracles::error_accuracy * size);
+}
+
+/// Whether a call without a result ended the case.
+bool has_ended(const std::vector<Judged>& judged) {
+  return std::ranges::any_of(judged, [](const Judged& j) {
+    return j.residual.outcome == Outcome::refused || is_misuse(j.residual.outcome);
+  });
+}
+
+/// Whether the output was measured the other time, too, and never with this result.
+bool differs_from_all(const Judged& j, const std::vector<Judged>& others) {
+  bool any = false;
+  if (leaves_open(j.residual.outcome)) return false;
+  for (const Judged& other : others) {
+    if (other.residual.output != j.residual.output || leaves_open(other.residual.outcome)) continue;
+    if (alike(j, other)) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// Whether the law forms an output from results of an operation.
+bool is_formed_from(const Property& law, const Output& output, std::string_view operation) {
+  return std::ranges::any_of(law.statement().formed, [&](const Formed& f) {
+    return f.quantity == output.record &&
+           std::ranges::any_of(f.from, [&](const Operation* o) { return o->name == operation; });
+  });
 }
 
 /// Measures with every call checked, so that one that changes the arithmetic does not reach the oracles.
@@ -367,8 +403,15 @@ void Series::record_thrown(const std::exception& thrown, const std::vector<doubl
       if (due >> i & 1) judge.outcome(outputs[i], 0, failed->outcome);
     return;
   }
-  auto of = outputs.end();
-  if (failed) of = std::ranges::find(outputs, failed->operation, &Output::operation);
+  const auto* refused = dynamic_cast<const CallRefused*>(&thrown);
+  const std::string_view operation = failed ? failed->operation : refused ? refused->operation : "";
+  auto of = std::ranges::find(outputs, operation, &Output::operation);
+  if (of == outputs.end())  // what the law forms next from results of the operation
+    of = std::ranges::find_if(outputs, [&](const Output& o) {
+      return is_formed_from(*law_, o, operation) && std::ranges::none_of(judge.judged, [&](const Judged& j) {
+               return outputs[j.residual.output].definition == o.definition;
+             });
+    });
   if (of == outputs.end()) of = outputs.begin() + (due ? std::countr_zero(due) : 0);
   judge.outcome(*of, band_of_input(x, static_cast<std::size_t>(of - outputs.begin())),
                 failed ? failed->outcome : Outcome::refused);
@@ -433,24 +476,35 @@ void Series::confirm(const std::vector<double>& x, std::vector<Judged>& judged) 
   const Checking checking(*this);
   const std::vector<Judged> again = measure(x);
   checking.judge(judged);
+  const bool ended = has_ended(judged) || has_ended(again);
+  const bool any_apart = !std::ranges::equal(judged, again, alike);
   for (std::size_t i = 0; i < judged.size(); ++i) {
     const Outcome o = judged[i].residual.outcome;
     if (is_misuse(o) || o == Outcome::outside_domain) continue;
-    if (again.size() != judged.size() || !same(judged[i], again[i]))
-      fail_as(Outcome::not_repeatable, judged[i]);
+    // A call without a result ends a case. What was not measured then tells nothing about other operations. Where one output
+    // differs, another tier may have measured the others.
+    const bool differs = ended                           ? differs_from_all(judged[i], again)
+                         : again.size() != judged.size() ? true
+                         : any_apart                     ? !alike(judged[i], again[i])
+                                                         : !same(judged[i], again[i]);
+    if (differs) fail_as(Outcome::not_repeatable, judged[i]);
   }
 }
 
 void Series::Checking::judge(std::vector<Judged>& judged) const {
   for (const CallLog::Finding& f : log_.findings) {
-    // What a law forms from several operations has no row of the operation: then every row is void.
-    const auto concerns = [&](const Judged& j) {
+    // If the operation has no row, those are void that the law forms from it, and without such ones every row.
+    const auto is_own = [&](const Judged& j) {
       return series_.outputs[j.residual.output].record == f.operation;
     };
-    const bool own_rows = std::any_of(judged.begin(), judged.end(), concerns);
+    const auto is_formed = [&](const Judged& j) {
+      return is_formed_from(*series_.law_, series_.outputs[j.residual.output], f.operation->name);
+    };
+    const bool own_rows = std::ranges::any_of(judged, is_own),
+               formed_rows = std::ranges::any_of(judged, is_formed);
     for (Judged& j : judged)
       if (j.residual.outcome != Outcome::outside_domain && !is_misuse(j.residual.outcome) &&
-          (!own_rows || concerns(j)))
+          (own_rows ? is_own(j) : !formed_rows || is_formed(j)))
         fail_as(f.outcome, j);
   }
 }

@@ -239,6 +239,7 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
     };
     std::vector<std::string> decided;                 // operations whose answers tell the values apart
     std::vector<std::string_view> values = c.values;  // what all of them keep to
+    std::vector<std::string_view> common = c.values;  // what those keep to that can choose the first value
     std::vector<std::string> each;
     for (const Probed& p : all) {
       std::vector<std::string_view> kept;
@@ -247,7 +248,9 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
       if (p.operation->name == "log3_matrix") std::erase(kept, "as stored");  // a matrix stores no axis
       decided.emplace_back(p.operation->name);
       each.push_back(fmt::format("\"{}\" in {}", kept.front(), p.operation->name));
-      std::erase_if(values, [&](auto v) { return std::ranges::count(kept, v) == 0; });
+      const auto others = [&](auto v) { return std::ranges::count(kept, v) == 0; };
+      std::erase_if(values, others);
+      if (p.operation->name != "log3_matrix") std::erase_if(common, others);
     }
     if (decided.empty() || statement != stated.end()) continue;
     const std::string_view value = values.front();
@@ -259,7 +262,8 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
          differ ? fmt::format("choice \"{}\": {}", c.name, fmt::join(each, ", "))
                 : fmt::format("choice \"{}\": \"{}\" in {}; an adapter that states it is held to it", c.name,
                               value, fmt::join(decided, ", ")),
-         decided, true, value == c.values.front() || value == free_choice});
+         decided, true,
+         (!differ || common.front() != free_choice) && (value == c.values.front() || value == free_choice)});
   }
   return findings;
 }

@@ -238,9 +238,9 @@ std::string unexplained(const Probed& p) {
       if (!(std::fabs(got[i] - expected[i]) <= probe_tolerance * largest)) first = i, ++wrong;
     return fmt::format(
         "no known convention explains {}: its {} is {:.6g}, and {:.6g} is right; {} of {} numbers "
-        "of {} are wrong\n  at {}",
+        "of {} {} wrong\n  at {}",
         o.name, number_name(*part, first), got[first], expected[first], wrong, size, part->name,
-        shortened(o, a.arguments));
+        wrong == 1 ? "is" : "are", shortened(o, a.arguments));
   }
   return "";
 }

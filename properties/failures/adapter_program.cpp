@@ -6,6 +6,7 @@
 #include <campaign/series.hpp>
 #include <conventions/stated.hpp>
 #include <conventions/values.hpp>
+#include <failures/drawn_tree.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <invariants/tree_case.hpp>
@@ -73,7 +74,8 @@ std::string tree_call(const Series& series, const NotedCall& call, const adapter
                       const CaseId& id) {
   if (!is_tree_law(series.property) || series.on_robot) return "";
   const std::vector<double> x = series.numbers(id);
-  const TreeCase<double> c(TreeLayout::of_size(x.size()), x, x);
+  TreeCase<double> c(TreeLayout::of_size(x.size()), x, x);
+  if (is_weightless(series)) c.tree.gravity = oracles::zero_vector<3, double>();
   const adapters::Model model(described(c), d, series.format(), {});
   std::string text =
       fmt::format("  as the adapter is called: {} in {}{}\n    model {}\n", call.operation->name,
@@ -98,8 +100,11 @@ std::string adapter_program(const Series& series, const Output& output, const No
                             const CaseId& id) try {
   if (std::string own = program_of_template(series, output, noted); !own.empty()) return own;
   const adapters::Description* const d = adapters::description_of(series.adapter);
-  const NotedCall* const call = worst_call(output, noted);
+  const NotedCall* call = worst_call(output, noted);
   if (!d || !call) return "";
+  for (const NotedCall& one : noted.calls)  // the one in the reference whose numbers are shown
+    if (one.operation == output.record && !noted.compared.seen.empty() && one.seen == noted.compared.seen)
+      call = &one;
   if (adapters::model_operation(call->operation->name)) return tree_call(series, *call, *d, id);
   const auto arguments = arguments_in(*call, *d, series.format());
   std::string text =

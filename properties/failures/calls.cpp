@@ -86,6 +86,7 @@ NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   }
   Witness::current() = before;
   NotedCase all;
+  all.quaternion_poses = series.tested_subject().takes.quaternion_poses;
   for (NotedCall& call : *noting.calls)
     if (concerns(series.tested_law(), of, call)) all.calls.push_back(std::move(call));
   std::erase_if(judge.judged, [&](const Judged& j) { return j.residual.output != output; });

@@ -23,10 +23,11 @@ struct NotedComparison {
 };
 
 struct NotedCase {
-  std::vector<NotedCall> calls;  ///< of operations from which the output is formed, or of its own
-  NotedComparison compared;      ///< of the output where it is worst; empty for a law on fixed-size values
-  double kappa = 0;              ///< there, also under the forward rule; 0 if the law gives none
-  bool wrong_branch = false;     ///< the output is on another branch than the exact one
+  std::vector<NotedCall> calls;   ///< of operations from which the output is formed, or of its own
+  NotedComparison compared;       ///< of the output where it is worst; empty for a law on fixed-size values
+  double kappa = 0;               ///< there, also under the forward rule; 0 if the law gives none
+  bool quaternion_poses = false;  ///< the subject returns poses as (p, Q)
+  bool wrong_branch = false;      ///< the output is on another branch than the exact one
 };
 
 /// The arguments of a call as the subject is given them, whose poses may be (p, Q).

@@ -75,7 +75,8 @@ Judging judging_of(const Output& output, const Operation& operation, const Numbe
   double square = 0;
   for (const std::size_t i : all.of) square += right[i] * right[i];
   const double near_pi = 3.1415;
-  all.either_sign = (all.of.size() == 4 && operation.name != "normalize") ||
+  const bool is_rotation = operation.name != "normalize" && operation.name != "velocity_to_rate";
+  all.either_sign = (all.of.size() == 4 && is_rotation) ||
                     (output.definition->unit == "rad" && all.of.size() == 3 && square > near_pi * near_pi);
   return all;
 }

@@ -8,6 +8,7 @@
 #include <failures/findings.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
+#include <failures/two_results.hpp>
 #include <search/plain.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
@@ -53,15 +54,20 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f));
   if (!s) s = shrink(series, worst, output, 500);
   std::string text;
-  if (!s->reproduced) text = "   this case gives other results when it is measured again\n";
+  const bool steady = s->reproduced && worst_outcome(*w.row) != std::string("not repeatable");
+  if (!steady) text = "   this case gives other results when it is measured again\n";
   const NotedCase all = noted(series, s->id, w.output);
   const Output& of = series.outputs.at(w.output);
   const NotedCall* const call = worst_call(of, all);
   if (const std::string called = call ? called_with(series, *call) : ""; !called.empty())
     text += fmt::format("   example  {}\n", called);
   else
-    text += drawn_tree(series, s->id);
-  if (const std::string number = f.block == "sign" ? "" : worst_number_text(series, of, all); !number.empty())
+    text += drawn_tree(series, s->id, of, all.compared.seen);
+  if (const std::string two = steady ? "" : two_results_text(series, worst, w.output); !two.empty())
+    text += fmt::format("            {}\n", two);
+  else if (const std::string number =
+               f.block == "sign" || !s->reproduced ? "" : worst_number_text(series, of, all);
+           !number.empty())
     text += fmt::format("            {}\n", number);
   else if (call && !call->thrown.empty())
     text += fmt::format("            {}\n", printable(call->thrown));
@@ -130,13 +136,17 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   std::string guess;  // of the first block whose errors tell one
   for (const FailedBlock* f : finding.own)
     if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar) guess = guess_of(*f);
+  if (guess.empty() && !finding.used.empty())
+    guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
+                        finding.used.size() == 1 ? "fails" : "fail");
   if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
-    text += fmt::format("   so       {} {} wrong, too\n", fmt::join(others, ", "),
-                        others.size() == 1 ? "is" : "are");
+    text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
+                        others.size() == 1 ? "fails" : "fail");
   text += example_of(first, campaign);
   if (!finding.hard_rows.empty())
-    text += fmt::format("   hard     {} of its hard cases fail, too: {}{}\n", finding.hard_rows.size(),
+    text += fmt::format("   hard     {} of its hard cases {}, too: {}{}\n", finding.hard_rows.size(),
+                        finding.hard_rows.size() == 1 ? "fails" : "fail",
                         finding.hard_rows.front()->entry->name, finding.hard_rows.size() > 1 ? ", ..." : "");
   return text;
 }

@@ -5,6 +5,7 @@
 #include <failures/calls.hpp>
 #include <failures/causes.hpp>
 #include <failures/result.hpp>
+#include <failures/tree_causes.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
 #include <set>
@@ -168,7 +169,7 @@ class Groups {
       groups_[at].blocks.push_back(&f);
       wrong_[f.subject].insert(f.operation);
     }
-    find_causes(), join_symptoms(), leave_bands_to_their_causes(), join_blocks();
+    find_causes(), join_trees(), join_symptoms(), leave_bands_to_their_causes(), join_blocks();
   }
 
   /// The findings by the group that causes them.
@@ -217,6 +218,19 @@ class Groups {
           if (rank > most) most = rank, groups_[i].cause = k;
         }
     }
+  }
+  /// What fails on the same trees as a simpler operation, or is formed from one, has its cause.
+  void join_trees() {
+    std::map<std::pair<std::string, std::string>, std::vector<const FailedBlock*>> all;
+    for (const Group& g : groups_)
+      for (const FailedBlock* f : g.blocks) all[{f->subject, f->scalar}].push_back(f);
+    for (const auto& [key, blocks] : all)
+      for (const auto& [operation, cause] : tree_causes(blocks, seed_))
+        for (std::size_t i = 0; i < groups_.size(); ++i)
+          for (std::size_t k = 0; k < groups_.size() && !groups_[i].cause; ++k)
+            if (std::get<0>(keys_[i]) == key.first && std::get<1>(keys_[i]) == operation &&
+                std::get<0>(keys_[k]) == key.first && std::get<1>(keys_[k]) == cause)
+              groups_[i].cause = k;
   }
   void join_symptoms() {
     for (std::size_t i = 0; i < groups_.size(); ++i)
@@ -298,6 +312,23 @@ class Groups {
   std::map<std::string, std::set<std::string_view>> wrong_;  ///< operations by subject
 };
 
+/// Spatial operations of which functions on trees are made stand before these, which say so.
+void put_spatial_first(std::vector<Finding>& all) {
+  const auto is_of_trees = [](const Finding& f) {
+    return !f.own.empty() && is_tree_law(f.own.front()->worst->series->property);
+  };
+  for (auto at = std::ranges::find_if(all, is_of_trees); at != all.end(); ++at) {
+    if (!is_of_trees(*at)) continue;
+    const auto serves = [subject = at->subject](const Finding& f) {
+      return f.subject == subject && serves_trees(f.operation) && f.ordinary > 0;
+    };
+    const auto moved = std::stable_partition(at, all.end(), serves);
+    at = moved;
+    for (auto before = all.begin(); before != at; ++before)
+      if (serves(*before)) at->used.push_back(before->operation);
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<FailedBlock>& failed,
@@ -308,6 +339,7 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
   for (auto& [first, finding] : by_root) all.push_back(std::move(finding));
   for (auto& [key, finding] : hard_only) all.push_back(std::move(finding));
   std::ranges::stable_sort(all, std::greater(), &Finding::ordinary);
+  put_spatial_first(all);
   return all;
 }
 

@@ -11,9 +11,10 @@ struct Finding {
   std::string subject, operation;
   std::vector<const FailedBlock*>
       own;  ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
-  std::vector<const FailedBlock*> others;   ///< of operations that are wrong since this one is
+  std::vector<const FailedBlock*> others;   ///< of operations that fail in the same way
   std::vector<const HardRow*> hard_rows;    ///< hard cases that fail in one of these blocks
   std::vector<const HardCell*> hard_cells;  ///< of `hard_rows`, one each
+  std::vector<std::string> used;            ///< spatial operations that fail and that it may use
   double ordinary = 0;  ///< the share of ordinary inputs that fail, times the share of digits that they lose
 };
 

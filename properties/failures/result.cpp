@@ -1,4 +1,5 @@
 #include <failures/calls.hpp>
+#include <failures/pairs.hpp>
 #include <failures/result.hpp>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
+#include <operations/trees.hpp>
 #include <oracles/number.hpp>
 #include <oracles/orientations.hpp>
 #include <span>
@@ -22,104 +24,6 @@ using oracles::Real;
 constexpr std::size_t most_numbers = 4;  ///< of a result that are printed
 constexpr std::size_t most_inputs =
     40;  ///< a case of a tree has hundreds of numbers: the replay line has them
-
-/// A number that was returned, and the exact one.
-struct Pair {
-  std::string name;
-  double got;
-  Real exact;
-  double apart = 0;  ///< relative to the norm of its part; infinite if the number is not finite
-};
-
-/// The numbers from..to of a result, a part of it. Q and -Q are one rotation, and at pi phi and -phi are, too.
-void add_part(std::vector<Pair>& to, std::span<const double> got, std::span<const Real> exact,
-              const std::function<std::string(std::size_t)>& name, bool either_sign) {
-  Real size(0), along(0);
-  bool finite = true;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    finite = finite && std::isfinite(got[i]);
-    size += exact[i] * exact[i];
-    if (finite) along += exact[i] * Real(got[i]);
-  }
-  size = sqrt(size);
-  const bool opposite = either_sign && finite && along < 0;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    Pair p{name(i), got[i], opposite ? Real(-exact[i]) : exact[i]};
-    p.apart = std::isfinite(got[i])
-                  ? static_cast<double>(Real(abs(Real(got[i]) - p.exact) / (size > 0 ? size : 1)))
-                  : std::numeric_limits<double>::infinity();
-    to.push_back(p);
-  }
-}
-
-}  // namespace
-
-bool is_judged(const Output& output, const Layout& layout, const Part& part) {
-  const auto with_unit = [&](std::string_view unit) {
-    return std::ranges::any_of(layout.parts, [&](const Part& p) { return p.unit == unit; });
-  };
-  const std::string_view unit = output.definition->unit;
-  if (with_unit(unit)) return part.unit == unit;
-  return !with_unit("1") || part.unit == "1";
-}
-
-namespace {
-
-/// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
-std::vector<Real> on_the_side_of(const std::vector<double>& got, std::vector<Real> exact,
-                                 const Layout& layout) {
-  const auto is = [](const Part& part, const char* unit) { return part.unit == unit && part.size == 3; };
-  if (layout.parts.size() != 2 || !is(layout.parts[0], "m") || !is(layout.parts[1], "rad")) return exact;
-  const auto rho = exact.begin(), phi = rho + 3;
-  Real along(0), square(0);
-  for (std::size_t i = 3; i < 6; ++i) {
-    if (!std::isfinite(got[i])) return exact;
-    along += Real(got[i]) * exact[i], square += exact[i] * exact[i];
-  }
-  if (along >= 0 || square < Real(9.8696)) return exact;
-  const auto product = [](const std::vector<Real>& J, auto x) {
-    std::vector<Real> y;
-    for (std::size_t i = 0; i < 9; i += 3) y.push_back(J[i] * x[0] + J[i + 1] * x[1] + J[i + 2] * x[2]);
-    return y;
-  };
-  const auto jacobian = [&](const char* name) {
-    return conventions::exact_result(conventions::operation_named(name), {phi, exact.end()});
-  };
-  const std::vector<Real> p = product(jacobian("left_jacobian3"), rho);
-  for (auto x = phi; x != exact.end(); ++x) *x = -*x;
-  std::ranges::copy(product(jacobian("left_jacobian3_inverse"), p.begin()), rho);
-  return exact;
-}
-
-std::vector<Pair> pairs_of(const Output& output, const NotedCase& noted, const NotedCall& call,
-                           const std::vector<Real>& one_side) {
-  const Layout& layout = *call.operation->results[0];
-  const std::vector<Real> exact =
-      noted.wrong_branch ? one_side : on_the_side_of(call.result, one_side, layout);
-  std::vector<Pair> all;
-  std::size_t from = 0;
-  for (const Part& part : layout.parts) {
-    const auto size = static_cast<std::size_t>(part.size);
-    const auto got = std::span(call.result).subspan(from, size);
-    const auto right = std::span(exact).subspan(from, size);
-    from += size;
-    // A wrong branch may be seen in another part of the result: a rotation vector that is too long, whatever rho is.
-    if (call.operation == output.record && !noted.wrong_branch && !is_judged(output, layout, part)) continue;
-    Real square(0);
-    for (const Real& x : right) square += x * x;
-    const bool turned = part.unit == "rad" && size == 3 && part.name != "angles" && !noted.wrong_branch &&
-                        square > Real(9.8696);
-    add_part(
-        all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
-        (size == 4 && call.operation->name != "normalize") || turned);
-  }
-  if (call.operation == output.record && output.block == "coupling")
-    std::erase_if(all, [i = std::size_t(0)](const Pair&) mutable {
-      const std::size_t at = i++;
-      return at / 6 >= 3 || at % 6 < 3;
-    });
-  return all;
-}
 
 /// What is to be said where other results are right, too.
 std::string others_of(const NotedCall& call, const std::vector<Real>& exact) {
@@ -139,43 +43,27 @@ std::string others_of(const NotedCall& call, const std::vector<Real>& exact) {
   return "";
 }
 
-/// What a law on trees compares.
-std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& compared) {
-  std::vector<double> computed;
-  for (const Real& x : compared.computed) computed.push_back(static_cast<double>(x));
-  const Layout& layout = *output.record->results[0];
-  const auto own = std::ranges::find_if(layout.parts, [&](const Part& part) {
-    return is_judged(output, layout, part) && static_cast<std::size_t>(part.size) == computed.size();
-  });
-  const Part& part = own == layout.parts.end() ? layout.parts[0] : *own;
-  std::vector<Pair> all;
-  add_part(
-      all, computed, compared.exact, [&](std::size_t i) { return fmt::format("{}[{}]", part.name, i); },
-      false);
-  return all;
-}
-
 /// The scalar's number nearest to x.
 double nearest(const Scalar& scalar, const Real& x) {
   return scalar.is_float() ? static_cast<float>(x) : static_cast<double>(x);
 }
 
-std::string lines_of(const Scalar& scalar, std::vector<Pair> all) {
+std::string lines_of(const Scalar& scalar, std::vector<NumberPair> all) {
   const std::size_t count = all.size();
-  std::erase_if(all, [&](const Pair& p) { return scalar.rounded(p.got) == nearest(scalar, p.exact); });
+  std::erase_if(all, [&](const NumberPair& p) { return scalar.rounded(p.got) == nearest(scalar, p.exact); });
   const std::size_t apart = all.size();
   if (apart == 0) return fmt::format("    the exact result, rounded\n");
-  std::ranges::stable_sort(all, std::greater(), &Pair::apart);
+  std::ranges::stable_sort(all, std::greater(), &NumberPair::apart);
   all.resize(std::min(apart, most_numbers));
   constexpr int digits = 17;
-  const auto decimal = [&](const Pair& p) -> std::string {
+  const auto decimal = [&](const NumberPair& p) -> std::string {
     if (std::isfinite(p.got)) return Real(p.got).str(digits);
     return std::isnan(p.got) ? "NaN" : p.got > 0 ? "inf" : "-inf";
   };
   std::size_t width = 0;
-  for (const Pair& p : all) width = std::max({width, decimal(p).size(), p.exact.str(digits).size()});
+  for (const NumberPair& p : all) width = std::max({width, decimal(p).size(), p.exact.str(digits).size()});
   std::string text;
-  for (const Pair& p : all) {
+  for (const NumberPair& p : all) {
     text += std::isfinite(p.got) ? fmt::format("    {:<12}got       {:<{}}  {}\n", p.name, decimal(p), width,
                                                hexadecimal_float(scalar.rounded(p.got)))
                                  : fmt::format("    {:<12}got       {}\n", p.name, decimal(p));
@@ -218,7 +106,7 @@ std::vector<const NotedCall*> shown(const Output& output, const NotedCase& noted
     double apart = call.thrown.empty() ? 0 : std::numeric_limits<double>::infinity();
     const std::vector<Real> exact = expected_of(call);
     if (!exact.empty() && exact.size() == call.result.size())
-      for (const Pair& p : pairs_of(output, noted, call, exact)) apart = std::max(apart, p.apart);
+      for (const NumberPair& p : pairs_of(output, noted, call, exact)) apart = std::max(apart, p.apart);
     all.emplace_back(apart, &call);
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& c) { return c.first; });
@@ -243,8 +131,9 @@ const NotedCall* worst_call(const Output& output, const NotedCase& noted) {
 std::string digits_lost(double score, double eps) {
   const double all = -std::log10(eps), lost = std::log10(score);
   if (!(lost >= std::log10(2.0))) return "";
-  return lost >= all ? fmt::format("all {:.1f} digits lost", all)
-                     : fmt::format("{:.1f} of {:.1f} digits lost", lost, all);
+  const std::string number = fmt::format("{:.1f}", std::min(lost, all)), most = fmt::format("{:.1f}", all);
+  return number == most ? fmt::format("all {} digits lost", most)
+                        : fmt::format("{} of {} digits lost", number, most);
 }
 
 std::string error_text(const Judged& j) {
@@ -314,8 +203,8 @@ std::string comparison_text(const Series& series, const Output& output, const No
 namespace {
 
 /// The numbers of the result that differs most from the oracle's, those first that differ most; and whose result it is.
-std::pair<std::string, std::vector<Pair>> compared(const Output& output, const NotedCase& noted) {
-  std::pair<std::string, std::vector<Pair>> all;
+std::pair<std::string, std::vector<NumberPair>> compared(const Output& output, const NotedCase& noted) {
+  std::pair<std::string, std::vector<NumberPair>> all;
   if (!noted.compared.exact.empty()) {
     all = {std::string(output.operation), pairs_of_law(output, noted.compared)};
   } else if (const NotedCall* call = worst_call(output, noted); call && call->thrown.empty()) {
@@ -323,8 +212,24 @@ std::pair<std::string, std::vector<Pair>> compared(const Output& output, const N
     if (!exact.empty() && exact.size() == call->result.size())
       all = {std::string(call->operation->name), pairs_of(output, noted, *call, exact)};
   }
-  std::ranges::stable_sort(all.second, std::greater(), &Pair::apart);
+  std::ranges::stable_sort(all.second, std::greater(), &NumberPair::apart);
   return all;
+}
+
+/// "M[1,0]" of "M[0,1]".
+std::string mirrored(const std::string& name) {
+  const auto from = name.find('['), comma = name.find(','), to = name.find(']');
+  if (to == name.npos || comma == name.npos) return name;
+  return fmt::format("{}[{},{}]", name.substr(0, from), name.substr(comma + 1, to - comma - 1),
+                     name.substr(from + 1, comma - from - 1));
+}
+
+/// "YZX, rotating (7)".
+std::string order_text(double number) {
+  const oracles::Order order(static_cast<int>(number));
+  std::string axes;
+  for (const int axis : order.axes) axes += "XYZ"[axis];
+  return fmt::format("{}, {} ({})", axes, order.rotating ? "rotating" : "static", number);
 }
 
 /// By how much the rotation of Euler angles is wrong. Empty of other operations.
@@ -347,7 +252,7 @@ std::string turned_text(const Series& series, const Output& output, const NotedC
       4 * std::asin(std::min(1.0, std::sqrt(static_cast<double>(std::min(same, opposite))) / 2));
   const std::vector<double> right = {nearest(series.format(), exact[0]), nearest(series.format(), exact[1]),
                                      nearest(series.format(), exact[2])};
-  return fmt::format("the rotation of the angles {} is wrong by {:.2g} rad; right are, for example, {}",
+  return fmt::format("the rotation of the angles {} is wrong by {:.2g} rad; that of {}, for one, is right",
                      numbers_text(series, call->result), wrong, numbers_text(series, right));
 }
 
@@ -358,7 +263,7 @@ Comparison comparison_of(const Series& series, const Output& output, const Noted
   auto [operation, pairs] = compared(output, noted);
   Comparison all{operation, {}};
   pairs.resize(std::min(pairs.size(), most));
-  for (const Pair& p : pairs)
+  for (const NumberPair& p : pairs)
     all.numbers.push_back({p.name,
                            std::isfinite(p.got) ? hexadecimal_float(series.format().rounded(p.got))
                            : std::isnan(p.got)  ? "nan"
@@ -372,13 +277,18 @@ std::string worst_number_text(const Series& series, const Output& output, const 
   if (const std::string rotation = turned_text(series, output, noted); !rotation.empty()) return rotation;
   const auto [operation, pairs] = compared(output, noted);
   if (pairs.empty()) return "";
-  const Pair& p = pairs.front();
-  return fmt::format("{} is {}, and {} is right", p.name,
-                     std::isfinite(p.got) ? decimal_float(p.got, series.format())
-                     : std::isnan(p.got)  ? "NaN"
-                     : p.got > 0          ? "inf"
-                                          : "-inf",
-                     decimal_float(nearest(series.format(), p.exact), series.format()));
+  const NumberPair& p = pairs.front();
+  const std::string got = std::isfinite(p.got) ? decimal_float(p.got, series.format())
+                          : std::isnan(p.got)  ? "NaN"
+                          : p.got > 0          ? "inf"
+                                               : "-inf",
+                    // -0 would not be another number
+      other = decimal_float(nearest(series.format(), p.exact) + 0.0, series.format());
+  if (output.operation == op::crba_symmetric.name)
+    return fmt::format("{} is {}, and {} is {}", p.name, got, mirrored(p.name), other);
+  if (output.operation == op::crba_columns.name)
+    return fmt::format("{} is {}, and tree_rnea gives {}", p.name, got, other);
+  return fmt::format("{} is {}, and {} is right", p.name, got, other);
 }
 
 std::string called_with(const Series& series, const NotedCall& call) try {
@@ -386,7 +296,9 @@ std::string called_with(const Series& series, const NotedCall& call) try {
   if (given.empty() || call.arguments.size() > most_inputs) return "";
   std::vector<std::string> all;
   for (const GivenArgument& a : given)
-    all.push_back(fmt::format("{} = {}", a.layout.name, numbers_text(series, a.numbers)));
+    all.push_back(fmt::format(
+        "{} = {}", a.layout.name,
+        a.layout.name == "order" ? order_text(a.numbers.at(0)) : numbers_text(series, a.numbers)));
   return fmt::format("{}({})", call.operation->name, fmt::join(all, "; "));
 } catch (const std::logic_error&) {  // an argument whose size the model of a robot determines
   return "";

@@ -46,12 +46,16 @@ class ExpOracle final : public Law<ExpOracle> {
     // covers rounding. There is no bound beyond theta = 2^40, where condition.hpp is inaccurate.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
-    const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<double, 3>& R) {
+    // R of a pose that is returned as (p, Q) is |Q|^2 times a rotation, whose defect is sqrt(3) (|Q|^4 - 1): to first order,
+    // 2 sqrt(3) times that of Q.
+    const double of_Q = subject.takes.quaternion_poses ? 1 / std::sqrt(12.0) : 1;
+    const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<double, 3>& R,
+                            double share_of_defect) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);
         const auto errors = oracles::matrix_errors(r.scalar(), stored, exact.Q);
         r.record(rotation, band, errors.rotation, Kappa(kappa_rotation, least_rotation));
-        r.record(defect, band, errors.defect);
+        r.record(defect, band, share_of_defect * errors.defect);
       });
     };
     if (o[op::exp3_quaternion]) {
@@ -67,10 +71,10 @@ class ExpOracle final : public Law<ExpOracle> {
     }
     if (o[op::exp3_matrix])
       matrix(op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
-             o[op::exp3_matrix](phi));
+             o[op::exp3_matrix](phi), 1);
     if (o[op::exp6]) {
       const Pose<double> T = o[op::exp6](xi);
-      matrix(op::exp6[block::rotation], op::exp6[block::orthogonality_defect], T.R);
+      matrix(op::exp6[block::rotation], op::exp6[block::orthogonality_defect], T.R, of_Q);
       constexpr Output translation = op::exp6[block::translation];
       judged_value(r, {translation}, band, T.p, exact.resolved, [&] {
         const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };

@@ -12,17 +12,25 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
       .law =
           "a frame's Jacobian times v is its velocity, J a + dJ v is its spatial acceleration "
           "(classical in LOCAL_WORLD_ALIGNED)",
-      .equation = "J v = V, J a + J' v = V' in each reference frame, for the exact v and a",
+      .equation =
+          "J v = V, J a + J' v = V' in each reference frame, for the exact v and a and, in the second, J",
       .source = "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames",
       .outputs = {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
-                  op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]},
-      .formed = {{&op::frame_jacobian_rate, {&op::frame_jacobian, &op::frame_jacobian_rate}}}};
+                  op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]}};
 
   template <class T, class Case>
   void of(const Operations& subject, const Case& c, Recorder& r) const {
     const TreeOperations<double> o = subject.tree(described(c.stored));
     const ExactFrame<T> frame(c, r.ordinary(op::frame_jacobian[block::linear]));
     const FrameSizes& sizes = frame.sizes;
+    // J a is the velocity at v = a. A wrong J makes no J' wrong.
+    std::optional<oracles::FrameMotion<T>> at_a;
+    const auto J_a = [&](Seen view) {
+      if (!at_a)
+        at_a.emplace(c.dynamics(c.exact.a, std::vector<T>(c.nv(), T(0))).motion(),
+                     static_cast<std::size_t>(c.exact.frame_joint), c.exact.frame_Q, c.exact.frame_p);
+      return seen_from(view, *at_a).velocity;
+    };
     for_each_view([&](Seen view) {
       const FrameViews<T> exact = seen_from(view, frame.motion);
       const MatX<double> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<double>();
@@ -31,26 +39,21 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
       if (J.size())
         both(c, r, linear_angular(op::frame_jacobian), J, c.exact.v, exact.velocity,
              {sizes.velocity(view), sizes.w}, frame.resolved);
-      if (J.size() && dJ.size()) {
-        MatX<double> J_dJ(6, 2 * J.cols());
-        J_dJ << J, dJ;
-        std::vector<T> a_v = c.exact.a;
-        a_v.insert(a_v.end(), c.exact.v.begin(), c.exact.v.end());
-        both(c, r, linear_angular(op::frame_jacobian_rate), J_dJ, a_v,
+      if (dJ.size())
+        both(c, r, linear_angular(op::frame_jacobian_rate), dJ, c.exact.v,
              view == Seen::aligned ? exact.classical : exact.acceleration,
-             {sizes.acceleration(view), sizes.al}, frame.resolved);
-      }
+             {sizes.acceleration(view), sizes.al}, frame.resolved, J_a(view));
     });
   }
 
  private:
-  /// Records the linear and the angular part of J x, with the exact numbers of J.
+  /// Records the linear and the angular part of J x, with the exact numbers of J, plus an exact `rest`.
   template <class T, class Case>
   static void both(const Case& c, Recorder& r, const TwoOutputs& outputs, const MatX<double>& J,
                    const std::vector<T>& x, const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes,
-                   bool resolved) {
+                   bool resolved, const oracles::Vec6<T>& rest = oracles::zero_vector<6, T>()) {
     if (!oracles::all_finite(J)) return judged_value(r, {outputs[0], outputs[1]}, 0, J, true, [] {});
-    const oracles::Vec6<T> y = from_list<6>(exact_product(J, x));
+    const oracles::Vec6<T> y = from_list<6>(exact_product(J, x)) + rest;
     c.record(r, outputs[0], to_list(head3(y)), to_list(head3(exact)), {1, 1, 1}, sizes[0], resolved);
     c.record(r, outputs[1], to_list(tail3(y)), to_list(tail3(exact)), {1, 1, 1}, sizes[1], resolved);
   }

@@ -44,6 +44,7 @@ class MassMatrix final : public TreeLaw<MassMatrix> {
                          transposed = exact_list<T>(flat(MatX<double>(M.transpose()))),
                          factor = oracles::positive_factor(exact, c.nv());
     // Ordinary code may compute M by columns, whose errors are those of their terms.
+    c.note(symmetric, stored, transposed), c.note(definite, stored, exact);
     const T against = r.ordinary(symmetric) ? oracles::larger(size, T(terms)) : size;
     r.record(symmetric, 0, weighted_error(r.scalar(), transposed, stored, products(w), against));
     if (factor.empty()) {  // a massless body: M is only positive semidefinite
@@ -62,8 +63,9 @@ class MassMatrix final : public TreeLaw<MassMatrix> {
       by_columns.col(k) =
           o[op::tree_rnea](c.q, none, VecX<double>::Unit(none.size(), k), -1, Vec<double, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
-    r.record(columns, 0,
-             weighted_error(r.scalar(), exact_list<T>(flat(by_columns)), stored, products(w), size),
+    const std::vector<T> torques = exact_list<T>(flat(by_columns));
+    c.note(columns, stored, torques);
+    r.record(columns, 0, weighted_error(r.scalar(), torques, stored, products(w), size),
              [&] { return terms / approximate(size); });
   }
 };

@@ -54,9 +54,11 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
       constexpr Output angle = op::relative_angle[block::angle];
       const Vec<double, 1> computed(o[op::relative_angle](Q0, Q1));
       judged_value(r, {angle}, band, computed, exact.resolved, [&] {
+        const Real allowed = r.ordinary(angle) ? cost_of_defects(r.scalar(), a, b) : Real(0);
         r.record(
             angle, band,
-            oracles::scalar_error(r.scalar(), oracles::exact<Real>(computed[0]), exact.theta, exact.terms));
+            oracles::scalar_error(r.scalar(), nearer(oracles::exact<Real>(computed[0]), exact.theta, allowed),
+                                  exact.theta, exact.terms));
       });
     }
     if (o[op::slerp])
@@ -64,6 +66,23 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
   }
 
  private:
+  /// What a correct form may err by [rad] since Q0 and Q1 are not unit. 2 asin(|Q0 - Q1| / 2) of the stored numbers errs by
+  /// up to twice the difference of the norms, which is at most half of the sum of the defects ||Q|^2 - 1|. Of normalised
+  /// ones, each is rounded along itself by up to eps, in the norm and in the quotient, which counts twice in an angle. Equal
+  /// quaternions, and unit ones, which a division by the norm does not change, cost nothing.
+  static Real cost_of_defects(const Scalar& scalar, const oracles::Quaternion<>& a,
+                              const oracles::Quaternion<>& b) {
+    const Real defects = abs(Real(squared_norm(a) - 1)) + abs(Real(squared_norm(b) - 1));
+    if (defects == 0 || a.x == b.x || a.x == oracles::Quaternion<>(Real(-1) * b).x) return Real(0);
+    return defects + 4 * Real(scalar.epsilon);
+  }
+  /// x, moved towards `to` by at most `by`.
+  static Real nearer(const Real& x, const Real& to, const Real& by) {
+    const Real apart = x - to;
+    if (abs(apart) <= by) return to;
+    return apart > 0 ? Real(x - by) : Real(x + by);
+  }
+
   std::uint32_t taken_ = fraction_kinds.every();
 
   /// t, or one that the subject takes.

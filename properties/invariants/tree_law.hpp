@@ -117,10 +117,10 @@ struct CaseAt {
   void record(Recorder& r, const Output& output, const std::vector<T>& computed,
               const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
               bool confirmed) const;
+  /// Tells what is compared to the thread's witness, if it has one for the output. record() does so.
+  static void note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact);
 
  private:
-  /// Tells what is compared to the thread's witness, if it has one for the output.
-  static void note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact);
   mutable std::shared_ptr<const oracles::TreePoses<T>> poses_;
 };
 

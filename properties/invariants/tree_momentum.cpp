@@ -117,6 +117,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum> {
         weighted_size(oracles::TreeSizes<double>(rough, c.stored.q, c.stored.v, rough_list(a)).tau, w) +
         approximate(weighted_norm(exact_list<T>(tau), w));
     const std::vector<T> nothing(6, T(0));
+    c.note(conserved, base, nothing);
     r.record(conserved, 0, weighted_error(r.scalar(), base, nothing, w, T(terms)));
   }
 };
