@@ -199,12 +199,10 @@ int code_of(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
 std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
   const int code = code_of(r, hard_cases);
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
-  if (any_failed(hard_cases))
-    text += r.failed ? ": laws failed; hard cases failed" : ": hard cases failed";
-  else if (r.failed)
-    text += ": laws failed";
-  else if (any_open(hard_cases))
-    text += ": hard cases have no verdict";
+  constexpr const char* what[] = {"", ": laws failed", ": hard cases failed",
+                                  ": laws failed; hard cases failed"};
+  const int failed = (r.failed && !r.incomplete ? 1 : 0) + (any_failed(hard_cases) ? 2 : 0);
+  text += failed == 0 && any_open(hard_cases) ? ": hard cases have no verdict" : what[failed];
   return text;
 }
 
