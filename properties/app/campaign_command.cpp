@@ -256,7 +256,8 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
       laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
-  if (cells) say("; {} hard cases, of which {} fail or have no verdict", cells, failing);
+  const char* const verb = failing == 1 ? "fails or has" : "fail or have";
+  if (cells) say("; {} hard cases, of which {} {} no verdict", cells, failing, verb);
   say("\n");
 }
 
