@@ -199,12 +199,10 @@ int code_of(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
 std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
   const int code = code_of(r, hard_cases);
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
-  if (any_failed(hard_cases))
-    text += r.failed ? ": laws failed; hard cases failed" : ": hard cases failed";
-  else if (r.failed)
-    text += ": laws failed";
-  else if (any_open(hard_cases))
-    text += ": hard cases have no verdict";
+  constexpr const char* what[] = {"", ": laws failed", ": hard cases failed",
+                                  ": laws failed; hard cases failed"};
+  const int failed = (r.failed && !r.incomplete ? 1 : 0) + (any_failed(hard_cases) ? 2 : 0);
+  text += failed == 0 && any_open(hard_cases) ? ": hard cases have no verdict" : what[failed];
   return text;
 }
 
@@ -258,7 +256,8 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
       laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
-  if (cells) say("; {} hard cases, of which {} fail or have no verdict", cells, failing);
+  const char* const verb = failing == 1 ? "fails or has" : "fail or have";
+  if (cells) say("; {} hard cases, of which {} {} no verdict", cells, failing, verb);
   say("\n");
 }
 

@@ -57,7 +57,7 @@ void print_in_full(const CampaignResult& r, const FailedBlock& f) {
 }  // namespace
 
 ToldFindings told_findings(const CampaignResult& r, const std::vector<HardRow>& hard_cases, bool all) {
-  const Steps shown("findings");
+  const Steps shown("looking for the causes of failures");
   ToldFindings told{failed_blocks(r), {}, {}};
   told.findings = findings_of(r, told.failed, hard_cases);
   for (const Finding& f : told.findings)

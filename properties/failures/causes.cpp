@@ -5,6 +5,7 @@
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <failures/calls.hpp>
+#include <failures/pairs.hpp>
 #include <failures/relations.hpp>
 #include <failures/result.hpp>
 #include <stdexcept>

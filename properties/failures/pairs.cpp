@@ -6,7 +6,6 @@
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
-#include <failures/result.hpp>
 #include <functional>
 #include <limits>
 #include <operations/quaternion_poses.hpp>

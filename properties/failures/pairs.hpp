@@ -16,6 +16,10 @@ struct NumberPair {
   double apart = 0;  ///< relative to the norm of its part; infinite if the number is not finite
 };
 
+/// Whether a block concerns a part of a result: it has its unit. The coupling block of a 6 x 6 Jacobian is its upper
+/// right quarter.
+bool is_judged(const Output& output, const Layout& layout, const Part& part);
+
 /// The numbers of a call's result that an output judges, or all if the call is of another operation.
 /// Of a subject that returns poses as (p, Q), the R of a pose is the Q that it returned, but for its sign and last bit.
 std::vector<NumberPair> pairs_of(const Output& output, const NotedCase& noted, const NotedCall& call,

@@ -20,10 +20,6 @@ std::string limit_text(const Series& series, std::size_t output, std::size_t ban
 /// Lines with the numbers of an input, by field, in decimals that read back as the same numbers.
 std::string input_text(const Series& series, const std::vector<std::string>& hexadecimal);
 
-/// Whether a block concerns a part of a result: it has its unit. The coupling block of a 6 x 6 Jacobian is its upper
-/// right quarter.
-bool is_judged(const Output& output, const Layout& layout, const Part& part);
-
 /// The call whose result is farthest from the oracle's, preferably of the output's own operation; null if none.
 const NotedCall* worst_call(const Output& output, const NotedCase& noted);
 

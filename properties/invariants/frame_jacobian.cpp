@@ -13,7 +13,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
           "a frame's Jacobian times v is its velocity, J a + dJ v is its spatial acceleration "
           "(classical in LOCAL_WORLD_ALIGNED)",
       .equation =
-          "J v = V, J a + J' v = V' in each reference frame, for the exact v and a and, in the second, J",
+          "J v = V, J a + J' v = V' in each reference frame, for the exact v and a and, if J is wrong, J",
       .source = "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames",
       .outputs = {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
                   op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]}};
@@ -23,7 +23,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
     const TreeOperations<double> o = subject.tree(described(c.stored));
     const ExactFrame<T> frame(c, r.ordinary(op::frame_jacobian[block::linear]));
     const FrameSizes& sizes = frame.sizes;
-    // J a is the velocity at v = a. A wrong J makes no J' wrong.
+    // The exact J a is the velocity at v = a. It stands for that of a J which is wrong, or absent.
     std::optional<oracles::FrameMotion<T>> at_a;
     const auto J_a = [&](Seen view) {
       if (!at_a)
@@ -39,14 +39,29 @@ class FrameJacobian final : public TreeLaw<FrameJacobian> {
       if (J.size())
         both(c, r, linear_angular(op::frame_jacobian), J, c.exact.v, exact.velocity,
              {sizes.velocity(view), sizes.w}, frame.resolved);
-      if (dJ.size())
-        both(c, r, linear_angular(op::frame_jacobian_rate), dJ, c.exact.v,
-             view == Seen::aligned ? exact.classical : exact.acceleration,
-             {sizes.acceleration(view), sizes.al}, frame.resolved, J_a(view));
+      if (dJ.size()) {
+        const oracles::Vec6<T> A = view == Seen::aligned ? exact.classical : exact.acceleration;
+        const std::array<double, 2> terms{sizes.acceleration(view), sizes.al};
+        const bool finite = oracles::all_finite(dJ) && J.size() && oracles::all_finite(J);
+        oracles::Vec6<T> own = oracles::zero_vector<6, T>();
+        if (finite) own = from_list<6>(exact_product(J, c.exact.a));
+        const bool right = finite && is_near(r, own + from_list<6>(exact_product(dJ, c.exact.v)), A, terms);
+        both(c, r, linear_angular(op::frame_jacobian_rate), dJ, c.exact.v, A, terms, frame.resolved,
+             right ? own : J_a(view));
+      }
     });
   }
 
  private:
+  /// Whether both parts of a vector err by no more than 64 eps of their terms; a correct J and J' err by less.
+  template <class T>
+  static bool is_near(const Recorder& r, const oracles::Vec6<T>& y, const oracles::Vec6<T>& exact,
+                      const std::array<double, 2>& terms) {
+    const oracles::Vec6<T> apart = y - exact;
+    const double most = 64 * r.scalar().epsilon;
+    return approximate(norm(head3(apart))) <= most * terms[0] &&
+           approximate(norm(tail3(apart))) <= most * terms[1];
+  }
   /// Records the linear and the angular part of J x, with the exact numbers of J, plus an exact `rest`.
   template <class T, class Case>
   static void both(const Case& c, Recorder& r, const TwoOutputs& outputs, const MatX<double>& J,
