@@ -256,7 +256,7 @@ class ConditionSearch {
                                : scale                 ? above_log_of_zero
                                : part.high < 0         ? -infinity
                                                        : above_zero;
-        if ((low && part.low <= natural) || (!low && part.low <= above_zero)) continue;
+        if ((low && part.low <= natural) || (!low && part.low < above_zero)) continue;
         (low ? part.low : part.high) = natural;
         simpler.counts = count(simpler.parts);
         const bool same = simpler.counts.gain() >= 0.85 * f.counts.gain() &&
@@ -297,17 +297,22 @@ class ConditionSearch {
       return std::ranges::all_of(f.parts,
                                  [&](const FeatureRange& p) { return &p == &f.parts[k] || p.holds(t); });
     };
-    const Tried *in = nullptr, *out = nullptr;  // the nearest to the border on both sides
+    const Tried* in = nullptr;  // the nearest to the border
+    std::vector<const Tried*> outs;
     for (const Tried& t : all_) {
       const double v = value(t);
       if (v != v || !others_hold(t)) continue;
       if (t.failed && part.holds(t) && (!in || (low ? v < value(*in) : v > value(*in)))) in = &t;
-      if (!t.failed && beyond(v, border, low) && (!out || (low ? v > value(*out) : v < value(*out))))
-        out = &t;
+      if (!t.failed && beyond(v, border, low)) outs.push_back(&t);
     }
     if (!in) return;
     if (name(part).written == Written::count) return low ? lower(f, k, *in) : void();
-    if (name(part).written > Written::scale || !out) return;
+    if (name(part).written > Written::scale) return;
+    std::ranges::stable_sort(outs, {}, [&](const Tried* t) { return low ? -value(*t) : value(*t); });
+    const auto nearest = std::ranges::find_if(  // of those between which and the failing one there are inputs
+        outs, [&](const Tried* t) { return !input_between(series_, in->input, t->input, 0.5).empty(); });
+    const Tried* const out = nearest != outs.end() ? *nearest : nullptr;
+    if (!out) return;
     double inside = value(*in), outside = value(*out);
     std::vector<double> a = in->input, b = out->input;
     const auto closer = [&](double share) {
