@@ -19,7 +19,7 @@ constexpr std::uint64_t tried_cases = 2000, least = 3;
 constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
 // Of subjects so slow that what is found may change from run to run; more on a busy machine.
 constexpr double most_seconds = 3;
-constexpr std::size_t most_firsts = 12;  ///< first parts for which a second is searched
+constexpr std::size_t most_firsts = 6;  ///< first parts for which a second is searched
 
 // About a thousand ranges are tried. Chance alone makes the best of them gain less than 15 (natural logarithms of
 // likelihood), and a border that is no zero or whole number is worth 3.
@@ -30,6 +30,11 @@ struct FeatureRange {
   std::size_t feature = 0;
   double low = 0, high = 0;
   bool holds(const Tried& t) const { return t[feature] >= low && t[feature] < high; }
+};
+/// A range, and how many of some inputs are in it and fail in it.
+struct Candidate {
+  FeatureRange range;
+  std::uint64_t cases = 0, failed = 0;
 };
 
 /// How many inputs fail where a condition holds, and where it does not.
@@ -97,8 +102,8 @@ class ConditionSearch {
     Found best;
     for (std::size_t i = 0; i < trial_.names().size(); ++i) {
       Found of_feature;
-      for (const FeatureRange& part : candidates(i, inputs)) {
-        Found next = with({}, part, inputs, 0);
+      for (const Candidate& part : candidates(i, inputs)) {
+        Found next = with({}, part, inputs.size(), failed, 0);
         if (!holds_for_failures(next.counts)) continue;
         if (next.score > of_feature.score) of_feature = next;
         if (next.score > best.score && is_accepted(next)) best = next;
@@ -119,7 +124,9 @@ class ConditionSearch {
   void add_second(const Found& first, const Found& alone, Found& best) const {
     const FeatureName& one = name(first.parts[0]);
     const auto tells_little = [&](const FeatureRange& part) { return name(part).negated && part.low <= 0; };
-    if (tells_little(first.parts[0])) return;
+    // That an input lacks the feature tells little, too.
+    const auto lack = [](std::size_t i) { return [i](const Tried& t) { return std::isnan(t[i]); }; };
+    if (tells_little(first.parts[0]) || std::ranges::any_of(all_, lack(first.parts[0].feature))) return;
     std::vector<const Tried*> inputs;
     for (const Tried& t : all_)
       if (first.parts[0].holds(t)) inputs.push_back(&t);
@@ -130,10 +137,11 @@ class ConditionSearch {
       const bool kinds = one.written == other.written && !one.negated && !other.negated &&
                          one.written >= Written::flag && first.parts[0].high != above_zero;
       if (i == first.parts[0].feature || (same && !kinds)) continue;
-      // That an input lacks the feature tells little, too.
-      if (std::ranges::any_of(inputs, [i](const Tried* t) { return std::isnan((*t)[i]); })) continue;
-      for (const FeatureRange& part : candidates(i, inputs)) {
-        Found next = with(first.parts, part, inputs, first.counts.failed_elsewhere);
+      if (std::ranges::any_of(all_, lack(i))) continue;
+      for (const Candidate& candidate : candidates(i, inputs)) {
+        const FeatureRange& part = candidate.range;
+        Found next =
+            with(first.parts, candidate, inputs.size(), first.counts.failed, first.counts.failed_elsewhere);
         const bool tells_more = next.counts.inside() >= 1.25 * first.counts.inside() &&
                                 next.score >= first.score + least_gain &&
                                 next.score >= std::max(0.0, alone.score) + least_gain;
@@ -188,38 +196,41 @@ class ConditionSearch {
       return std::ranges::all_of(parts, [&](const FeatureRange& part) { return part.holds(t); });
     });
   }
-  /// Parts, of which all but the last hold for the inputs, and for no others.
-  Found with(std::vector<FeatureRange> parts, const FeatureRange& last,
-             const std::vector<const Tried*>& inputs, std::uint64_t failed_elsewhere) const {
-    Found f{std::move(parts), {}, 0};
-    f.parts.push_back(last);
-    Counts& c = f.counts;
-    c.elsewhere = all_.size() - inputs.size(), c.failed_elsewhere = failed_elsewhere;
-    for (const Tried* t : inputs)
-      last.holds(*t) ? (++c.cases, c.failed += t->failed) : (++c.elsewhere, c.failed_elsewhere += t->failed);
-    f.score = c.gain();
+  /// Parts, of which all but the last hold for so many inputs, and for no others.
+  Found with(std::vector<FeatureRange> parts, const Candidate& last, std::uint64_t inputs,
+             std::uint64_t failed, std::uint64_t failed_elsewhere) const {
+    Found f{std::move(parts), {last.failed, last.cases}, 0};
+    f.parts.push_back(last.range);
+    f.counts.elsewhere = all_.size() - inputs + (inputs - last.cases);
+    f.counts.failed_elsewhere = failed_elsewhere + failed - last.failed;
+    f.score = f.counts.gain();
     for (const FeatureRange& part : f.parts) f.score -= gain_of_border * borders(part);
     return f;
   }
   /// The ranges of a feature, open on a side or not, that hold all failing inputs, or all but a twentieth on a side, and leave
   /// out a twentieth of those that have the feature.
-  std::vector<FeatureRange> candidates(std::size_t feature, const std::vector<const Tried*>& inputs) const {
+  std::vector<Candidate> candidates(std::size_t feature, const std::vector<const Tried*>& inputs) const {
     std::vector<double> of_failed, of_all;
+    std::vector<std::uint8_t> fails;  // beside of_all
     std::size_t failed = 0;
     for (const Tried* t : inputs) {
       failed += t->failed;
       if (const double v = (*t)[feature]; v == v) {
-        of_all.push_back(v);
+        of_all.push_back(v), fails.push_back(t->failed);
         if (t->failed) of_failed.push_back(v);
       }
     }
     if (of_failed.size() < least || 20 * of_failed.size() < 19 * failed) return {};
     const Written written = trial_.names()[feature].written;
     const double zero = written == Written::scale ? above_log_of_zero : above_zero;
-    std::vector<FeatureRange> all;
+    std::vector<Candidate> all;
     const auto add = [&](double from, double to) {
-      const auto out = std::ranges::count_if(of_all, [&](double v) { return v < from || v >= to; });
-      if (from < to && 20 * out >= std::ssize(of_all)) all.push_back({feature, from, to});
+      Candidate c{{feature, from, to}};
+      for (std::size_t i = 0; i < of_all.size(); ++i) {
+        const bool holds = (of_all[i] >= from) & (of_all[i] < to);
+        c.cases += holds, c.failed += holds & fails[i];
+      }
+      if (from < to && 20 * (of_all.size() - c.cases) >= of_all.size()) all.push_back(c);
     };
     if (written == Written::flag) {
       add(zero, infinity), add(-infinity, zero);
@@ -228,10 +239,11 @@ class ConditionSearch {
     add(0, above_zero), add(-infinity, 0), add(0, infinity), add(above_zero, infinity),
         add(-infinity, above_zero);
     if (written == Written::sign) return all;
-    std::ranges::sort(of_failed), std::ranges::sort(of_all);
+    std::vector<double> sorted = of_all;
+    std::ranges::sort(of_failed), std::ranges::sort(sorted);
     const auto above = [&](double v) {  // the next value that an input has
-      const auto at = std::ranges::upper_bound(of_all, v);
-      return at == of_all.end() ? infinity : *at;
+      const auto at = std::ranges::upper_bound(sorted, v);
+      return at == sorted.end() ? infinity : *at;
     };
     const std::size_t few = of_failed.size() / 20;
     const double low = of_failed.front(), high = above(of_failed.back()),
@@ -256,7 +268,7 @@ class ConditionSearch {
                                : scale                 ? above_log_of_zero
                                : part.high < 0         ? -infinity
                                                        : above_zero;
-        if ((low && part.low <= natural) || (!low && part.low <= above_zero)) continue;
+        if ((low && part.low <= natural) || (!low && part.low < above_zero)) continue;
         (low ? part.low : part.high) = natural;
         simpler.counts = count(simpler.parts);
         const bool same = simpler.counts.gain() >= 0.85 * f.counts.gain() &&
@@ -285,8 +297,6 @@ class ConditionSearch {
     std::ranges::sort(c.errors);
     return c;
   }
-  /// Whether a part holds for an input, on the side of one border only.
-  static bool beyond(double v, double border, bool low) { return low ? v < border : v >= border; }
   /// Moves a border of a part to where inputs between a failing and a passing one change.
   void refine(Found& f, std::size_t k, bool low) {
     const FeatureRange part = f.parts[k];
@@ -297,19 +307,23 @@ class ConditionSearch {
       return std::ranges::all_of(f.parts,
                                  [&](const FeatureRange& p) { return &p == &f.parts[k] || p.holds(t); });
     };
-    const Tried *in = nullptr, *out = nullptr;  // the nearest to the border on both sides
+    const Tried* in = nullptr;  // the nearest to the border
+    std::vector<const Tried*> outs;
     for (const Tried& t : all_) {
       const double v = value(t);
       if (v != v || !others_hold(t)) continue;
       if (t.failed && part.holds(t) && (!in || (low ? v < value(*in) : v > value(*in)))) in = &t;
-      if (!t.failed && beyond(v, border, low) && (!out || (low ? v > value(*out) : v < value(*out))))
-        out = &t;
+      if (!t.failed && (low ? v < border : v >= border)) outs.push_back(&t);
     }
     if (!in) return;
     if (name(part).written == Written::count) return low ? lower(f, k, *in) : void();
-    if (name(part).written > Written::scale || !out) return;
-    double inside = value(*in), outside = value(*out);
-    std::vector<double> a = in->input, b = out->input;
+    if (name(part).written > Written::scale) return;
+    std::ranges::stable_sort(outs, {}, [&](const Tried* t) { return low ? -value(*t) : value(*t); });
+    const auto nearest = std::ranges::find_if(
+        outs, [&](const Tried* t) { return !input_between(series_, in->input, t->input, 0.5).empty(); });
+    if (nearest == outs.end()) return;
+    double inside = value(*in), outside = value(**nearest);
+    std::vector<double> a = in->input, b = (*nearest)->input;
     const auto closer = [&](double share) {
       const std::vector<double> x = input_between(series_, a, b, share);
       if (x.empty() || x == a || x == b || !series_.tested_law().valid(x)) return false;
