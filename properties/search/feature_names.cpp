@@ -249,21 +249,21 @@ std::vector<double> argument_features(const NumberFunction& function, const std:
 
 std::string text_of(const FeatureName& name, double low, double high, const Scalar& scalar) {
   if (name.written == Written::flag) return low > 0 ? name.name : name.unit;
-  if (low == 0 && high == above_zero) return name.name + " = 0";
-  if (high == above_log_of_zero) return name.name + " is 0";
-  if (high == above_zero) return name.name + " <= 0";
-  if ((low == above_zero || low == above_log_of_zero) && std::isinf(high)) return name.name + " > 0";
   const bool below = std::isinf(low), above = std::isinf(high);
   if (name.written == Written::count) {
     const double first = std::ceil(low), last = std::ceil(high) - 1;
     const bool of_joints = !name.unit.empty();
     if (of_joints && above && first == 1) return "a joint is " + name.unit;
-    if (of_joints && below && last == 0) return "no joint is " + name.unit;
+    if (of_joints && !above && last == 0) return "no joint is " + name.unit;
     if (above) return fmt::format("{} >= {}", name.name, first);
     if (below) return fmt::format("{} <= {}", name.name, last);
     return first == last ? fmt::format("{} = {}", name.name, first)
                          : fmt::format("{} from {} to {}", name.name, first, last);
   }
+  if (low == 0 && high == above_zero) return name.name + " = 0";
+  if (high == above_log_of_zero) return name.name + " is 0";
+  if (high == above_zero) return name.name + " <= 0";
+  if ((low == above_zero || low == above_log_of_zero) && std::isinf(high)) return name.name + " > 0";
   const bool plain = name.unit == " eps" && (above ? low : high) * scalar.epsilon > 1e-10;
   const auto value = [&](double v) {
     return name.written == Written::scale ? std::exp2(v * scalar.max_exponent)

@@ -1,9 +1,11 @@
 // Where a failure happens, as the condition on one or two features of the call that separates failing from passing inputs.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <array>
 #include <oracles/orientations.hpp>
 #include <search/condition.hpp>
+#include <search/feature_names.hpp>
 
 #include "../campaigns.hpp"
 #include "../own_subject.hpp"
@@ -110,6 +112,16 @@ TEST(Conditions, WithoutWhichNoneFailsAreFound) {
 TEST(Conditions, AreNotMadeUp) {
   EXPECT_EQ(text("where:any"), "");
   EXPECT_EQ(text("where:angle"), "") << "an angle, of which the bands tell";
+}
+
+TEST(Conditions, SayWhatAJointIs) {
+  const Scalar& scalar = oracles::scalar_of<double>;
+  const FeatureName& prismatic = *std::ranges::find(fixed_names(), Feature::prismatic, &FeatureName::feature);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double from : {above_zero, 1.0})
+    EXPECT_EQ(text_of(prismatic, from, infinity, scalar), "a joint is prismatic");
+  EXPECT_EQ(text_of(prismatic, 0, above_zero, scalar), "no joint is prismatic");
+  EXPECT_EQ(text_of(prismatic, 2, infinity, scalar), "prismatic joints >= 2");
 }
 
 TEST(Conditions, OfTreesAreOnTheirJointsAndState) {
