@@ -289,8 +289,9 @@ std::string finding(const json& record, const json& library, const json& cell, c
     if (c["failure"].is_object() && c["failure"].value("because", "") == operation)
       others.insert(c["operation"]);
   if (!others.empty())
-    all += fmt::format(" So {} wrong, too: {}.", others.size() == 1 ? "another function is" : "others are",
-                       markdown(fmt::format("{}", fmt::join(others, ", "))));
+    all +=
+        fmt::format(" In the same way {}: {}.", others.size() == 1 ? "another function fails" : "others fail",
+                    markdown(fmt::format("{}", fmt::join(others, ", "))));
   if (const json* const other = cell_in(library, operation, "float");
       other && other != &cell && (*other)["failure"].is_object())
     all += " It also fails " + where_it_fails(*other) + ".";

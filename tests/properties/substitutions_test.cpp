@@ -1,6 +1,7 @@
 // Findings of libraries whose wrong results are right ones of another call, or right ones with one change, say which.
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <campaign/campaign.hpp>
 #include <campaign/robots.hpp>
 #include <cmath>
@@ -46,7 +47,8 @@ TEST(Substitutions, AnArgumentThatIsLeftOut) {
     for (std::size_t i = 0; i < 3; ++i)
       result[i] = x[(i + 1) % 3] * x[9 + (i + 2) % 3] - x[(i + 2) % 3] * x[9 + (i + 1) % 3];
   });
-  EXPECT_EQ(substitution_of(op::cross_motion, calls), "where it fails, linear is what omega_V = 0 would give");
+  EXPECT_EQ(substitution_of(op::cross_motion, calls),
+            "where it fails, linear is what omega_V = 0 would give");
 }
 
 TEST(Substitutions, ANumberOfTheOppositeSign) {
@@ -70,8 +72,9 @@ TEST(Substitutions, AVectorInAnotherFrame) {
     const Eigen::Vector3d turned = Q.normalized() * (Q.normalized() * Eigen::Vector3d(&x[4]));
     std::copy_n(turned.data(), 3, result.begin());
   });
-  EXPECT_EQ(substitution_of(op::rotate_point, calls),
-            "where it fails, the result is what R(Q) p in place of p would give: it is taken in another frame");
+  EXPECT_EQ(
+      substitution_of(op::rotate_point, calls),
+      "where it fails, the result is what R(Q) p in place of p would give: it is taken in another frame");
 }
 
 TEST(Substitutions, NothingIsSaidOfRandomErrors) {
