@@ -105,6 +105,11 @@ bool gives_results(const Alternative& one, const std::vector<JudgedCall>& calls)
 
 }  // namespace
 
+bool has_alternatives(std::string_view operation) {
+  return std::ranges::any_of(alternatives,
+                             [&](const Alternative& one) { return one.operation == operation; });
+}
+
 std::string alternative_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   for (const Alternative& one : alternatives)
     if (one.operation == operation.name && gives_results(one, calls)) return one.text;

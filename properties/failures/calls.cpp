@@ -137,7 +137,7 @@ std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output, s
   constexpr std::uint64_t any_seed = 42;
   std::vector<NotedCall> all;
   try {
-    for (std::uint64_t i = from; i < to; ++i)
+    for (std::uint64_t i = from; i < to && !stop_requested; ++i)
       for (NotedCall& call : noted(series, series.id(any_seed, i), output).calls)
         if (call.operation == series.outputs.at(output).record && call.thrown.empty() && !call.result.empty())
           all.push_back(std::move(call));

@@ -11,6 +11,7 @@
 #include <failures/shapes.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
+#include <optional>
 #include <search/condition.hpp>
 #include <support/stop.hpp>
 
@@ -215,16 +216,18 @@ std::string guess_of(const FailedBlock& f) {
   const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
-  const Operation* const operation = f.worst->series->outputs.at(f.worst->output).record;
-  const std::vector<JudgedCall> calls =
-      operation ? judged_calls(*f.worst->series, f.worst->output) : std::vector<JudgedCall>();
-  if (operation)
-    for (const auto of : {alternative_of, float_of})
-      if (std::string guess = of(*operation, calls); !guess.empty()) return guess;
-  const auto substitution = [&] { return operation ? substitution_of(*operation, calls) : std::string(); };
+  std::optional<std::vector<JudgedCall>> calls;  // measured when they are needed
+  const auto of_calls = [&](auto cause) {
+    if (!calls) calls = judged_calls(*f.worst->series, f.worst->output);
+    return calls->empty() ? std::string()
+                          : cause(*f.worst->series->outputs.at(f.worst->output).record, *calls);
+  };
+  if (has_alternatives(operation_of(f)))
+    if (std::string guess = of_calls(alternative_of); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
-    if (other.empty()) other = substitution();
+    if (other.empty()) other = of_calls(float_of);
+    if (other.empty()) other = of_calls(substitution_of);
     // Most inputs of Euler angles are near gimbal lock, not moderate.
     return m.wrong * 3 <= m.all || !other.empty() || operation_of(f).starts_with("euler_from") ||
                    f.worst->series->on_robot || is_tree_law(f.worst->series->property)
@@ -242,7 +245,8 @@ std::string guess_of(const FailedBlock& f) {
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  if (std::string guess = substitution(); !guess.empty()) return guess;
+  for (const auto cause : {float_of, substitution_of})
+    if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;
   if (m.coarse * 2 > m.all && !euler_angles && (as_a_float || m.same()) && !fails_at_zero(f))

@@ -10,6 +10,7 @@
 #include <invariants/tree_laws.hpp>
 #include <numbers>
 #include <span>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -201,6 +202,9 @@ std::vector<Place> results_of(const Operation& operation) {
   return all;
 }
 
+/// So many wrong calls tell enough, and 100 changes of each are soon tried.
+constexpr std::size_t enough = 12;
+
 /// The wrong calls of an operation, and which parts of their results are wrong by more than a share.
 class Wrong {
  public:
@@ -214,7 +218,7 @@ class Wrong {
         if (!(distance(p, c.call.result, c.right) <= least * (p.size == 1 ? std::max(scale, 1.0) : scale)))
           wrong.push_back(p);
       }
-      if (!wrong.empty() && calls_.size() < most) calls_.push_back(&c), parts_.push_back(std::move(wrong));
+      if (!wrong.empty() && calls_.size() < enough) calls_.push_back(&c), parts_.push_back(std::move(wrong));
     }
   }
   std::size_t count() const { return calls_.size(); }
@@ -223,6 +227,7 @@ class Wrong {
   /// Whether the results are those that `other` gives for four of five calls.
   template <class Other>
   bool given_by(Other other) const {
+    if (stop_requested) return false;
     const std::size_t allowed = count() / 5;
     std::size_t missed = 0;
     for (std::size_t i = 0; i < count(); ++i)
@@ -239,7 +244,6 @@ class Wrong {
   }
 
  private:
-  static constexpr std::size_t most = 12;  // enough to tell, and 100 changes of each are soon tried
   template <class Other>
   bool gives(std::size_t i, Other other) const try {
     const Numbers& got = calls_[i]->call.result;
@@ -297,20 +301,18 @@ std::vector<Place> places_of_arguments(const Operation& operation) {
 std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
   std::vector<JudgedCall> all;
   if (series.on_robot || is_tree_law(series.property)) return all;
-  constexpr std::size_t enough = 8;
   std::size_t wrong = 0;
-  for (const auto& [from, to] : {std::pair<std::uint64_t, std::uint64_t>{0, 300}, {300, 1000}}) {
-    if (wrong >= enough || (from > 0 && all.empty())) break;
-    for (NotedCall& call : sampled_calls(series, output, from, to)) {
+  for (std::uint64_t from = 0; from < (wrong > 0 ? 1000 : 300); from += 20)
+    for (NotedCall& call : sampled_calls(series, output, from, from + 20)) {
+      if (stop_requested) return {};
       const Operation& operation = *call.operation;
       Numbers right;
       for (const oracles::Real& x : expected_of(call)) right.push_back(static_cast<double>(x));
       if (right.size() != call.result.size()) continue;
       call.result = in_blocks(operation, call.result);
       all.push_back({std::move(call), in_blocks(operation, right)});
-      wrong += Wrong(operation, {all.back()}, 1e-6).count();
+      if ((wrong += Wrong(operation, {all.back()}, 1e-6).count()) == enough) return all;
     }
-  }
   return all;
 }
 

@@ -12,8 +12,8 @@ struct JudgedCall {
   std::vector<double> right;
 };
 
-/// The calls of an output's operation that returned, and the right results, of the first 300 cases of a seed that is the same in
-/// every campaign, or of 1000 if few of these are wrong. Empty if the oracle does not know the operation.
+/// The calls of an output's operation that returned, and the right results, of a seed that is the same in every campaign: of its
+/// first 300 cases, of 1000 if few of these are wrong, or until twelve are. Empty if the oracle does not know the operation.
 std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output);
 
 /// Whether most results that are wrong are right ones in float, or those for an argument in float, in words; or "".

@@ -48,7 +48,7 @@ TEST(Substitutions, AnArgumentThatIsLeftOut) {
       result[i] = x[(i + 1) % 3] * x[9 + (i + 2) % 3] - x[(i + 2) % 3] * x[9 + (i + 1) % 3];
   });
   EXPECT_EQ(substitution_of(op::cross_motion, calls),
-            "where it fails, linear is what omega_V = 0 would give");
+            "where it fails, linear is what omega = 0 would give");
 }
 
 TEST(Substitutions, ANumberOfTheOppositeSign) {
