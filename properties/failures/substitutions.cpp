@@ -85,7 +85,7 @@ void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
   };
   if (at.part->name == "order")
     return add("the same axes, static in place of rotating or the other way round",
-               [](Span x) { x[0] += x[0] < 12 ? 12 : -12; });
+               [](Span x) { x[0] += static_cast<int>(x[0]) % 2 == 0 ? 1 : -1; });
   if (is_matrix(at)) whole("the transposed one", name + " transposed", transpose);
   if (is_quaternion(at)) {
     whole("the conjugate of the right one", name + " conjugated, the inverse rotation",
