@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <invariants/property.hpp>
 #include <search/trial.hpp>
 #include <span>
 #include <support/stop.hpp>
-#include <thread>
 
 namespace liecheck::properties {
 namespace {
@@ -62,11 +60,7 @@ class ConditionSearch {
       : series_(series), trial_(series, output), fails_in_(fails_in) {}
 
   std::optional<Condition> run(std::uint64_t seed) {
-    double load = 0;
-    const auto processors = double(std::max(1u, std::thread::hardware_concurrency()));
-    if (getloadavg(&load, 1) < 1) load = 0;
-    const std::chrono::duration<double> most(most_seconds * std::clamp(load / processors, 1.0, 10.0));
-    const auto end = std::chrono::steady_clock::now() + most;
+    const auto end = std::chrono::steady_clock::now() + at_this_load(most_seconds);
     for (std::uint64_t i = 0, failed = 0; i < tried_cases; ++i) {
       if (stop_requested || std::chrono::steady_clock::now() > end) break;
       if (i >= enough_cases && failed >= enough_failures) break;
@@ -100,16 +94,20 @@ class ConditionSearch {
     for (const Tried& t : all_) inputs.push_back(&t);
     std::vector<Found> firsts;  // the best of each feature
     Found best;
-    for (std::size_t i = 0; i < trial_.names().size(); ++i) {
-      Found of_feature;
-      for (const Candidate& part : candidates(i, inputs)) {
-        Found next = with({}, part, inputs.size(), failed, 0);
-        if (!holds_for_failures(next.counts)) continue;
-        if (next.score > of_feature.score) of_feature = next;
-        if (next.score > best.score && is_accepted(next)) best = next;
+    const auto search = [&](bool of_several) {
+      for (std::size_t i = 0; i < trial_.names().size(); ++i) {
+        if (trial_.names()[i].of_several != of_several) continue;
+        Found of_feature;
+        for (const Candidate& part : candidates(i, inputs)) {
+          Found next = with({}, part, inputs.size(), failed, 0);
+          if (!holds_for_failures(next.counts)) continue;
+          if (next.score > of_feature.score) of_feature = next;
+          if (next.score > best.score && is_accepted(next)) best = next;
+        }
+        if (!of_feature.parts.empty()) firsts.push_back(std::move(of_feature));
       }
-      if (!of_feature.parts.empty()) firsts.push_back(std::move(of_feature));
-    }
+    };
+    search(false);
     // A second part only where the first leaves much unexplained.
     if (best.counts.inside() < 0.9) {
       std::ranges::stable_sort(firsts, std::greater(), &Found::score);
@@ -117,6 +115,7 @@ class ConditionSearch {
       const Found alone = best;
       for (const Found& first : firsts) add_second(first, alone, best);
     }
+    if (best.parts.empty()) search(true);
     if (best.parts.empty()) return std::nullopt;
     return refined(std::move(best));
   }
@@ -136,7 +135,7 @@ class ConditionSearch {
       const bool same = !one.argument.empty() && other.argument == one.argument;
       const bool kinds = one.written == other.written && !one.negated && !other.negated &&
                          one.written >= Written::flag && first.parts[0].high != above_zero;
-      if (i == first.parts[0].feature || (same && !kinds)) continue;
+      if (i == first.parts[0].feature || (same && !kinds) || other.of_several) continue;
       if (std::ranges::any_of(all_, lack(i))) continue;
       for (const Candidate& candidate : candidates(i, inputs)) {
         const FeatureRange& part = candidate.range;
@@ -233,7 +232,7 @@ class ConditionSearch {
       if (from < to && 20 * (of_all.size() - c.cases) >= of_all.size()) all.push_back(c);
     };
     if (written == Written::flag) {
-      add(zero, infinity), add(-infinity, zero);
+      if (add(zero, infinity); !trial_.names()[feature].unit.empty()) add(-infinity, zero);
       return all;
     }
     add(0, above_zero), add(-infinity, 0), add(0, infinity), add(above_zero, infinity),

@@ -15,12 +15,13 @@ enum class Written { number, scale, flag, count, sign };
 struct FeatureName {
   Feature feature;  ///< `one` for a feature of the arguments of one operation
   std::string name;
-  /// Of a flag, what holds where it is 0; of a count of joints, what one of them is, or "".
+  /// Of a flag, what holds where it is 0, or "" if that is no condition; of a count of joints, what one of them is, or "".
   std::string unit;
   Written written;
   bool angle = false;         ///< it follows from an angle, of which bands tell
   std::string argument = "";  ///< the part of the arguments that it is of
   bool negated = false;       ///< a flag that tells little where it is 0, such as that a number is not zero
+  bool of_several = false;    ///< the largest of several arguments, if none of them tells by itself
 };
 
 /// Those of every call, the simplest first. Angles are left out.

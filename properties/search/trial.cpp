@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <generators/trees.hpp>
 #include <invariants/property.hpp>
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
 #include <search/shrink.hpp>
+#include <thread>
 #include <utility>
 
 namespace liecheck::properties {
@@ -43,6 +45,13 @@ std::vector<double> values_of(const Features& features) {
 }
 
 }  // namespace
+
+std::chrono::duration<double> at_this_load(double seconds) {
+  double load = 0;
+  const auto processors = double(std::max(1u, std::thread::hardware_concurrency()));
+  if (getloadavg(&load, 1) < 1) load = 0;
+  return std::chrono::duration<double>(seconds * std::clamp(load / processors, 1.0, 10.0));
+}
 
 Trial::Trial(const Series& series, std::size_t output)
     : series_(series), output_(output), of_tree_(is_tree_law(series.property) && !series.on_robot) {}

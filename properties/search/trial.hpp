@@ -2,6 +2,7 @@
 // Inputs of a law and what became of them: measured, with the features of the calls of one output's operation.
 
 #include <campaign/series.hpp>
+#include <chrono>
 #include <search/feature_names.hpp>
 
 namespace liecheck::properties {
@@ -17,6 +18,9 @@ struct Tried {
     return feature < features.size() ? features[feature] : std::numeric_limits<double>::quiet_NaN();
   }
 };
+
+/// So many seconds of an idle machine, by the load of this one: what is measured in them shall not depend on it.
+std::chrono::duration<double> at_this_load(double seconds);
 
 /// Measures inputs of a law, and looks at the calls.
 class Trial {
