@@ -92,8 +92,6 @@ void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
           [](Span x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
     whole("in the order w, x, y, z", name + " in the order w, x, y, z",
           [](Span x) { std::ranges::rotate(x, x.end() - 1); });
-    whole("in another order", name + " in another order",
-          [](Span x) { std::ranges::rotate(x, x.begin() + 1); });
   }
   whole("0", name + " = 0", [](Span x) { std::ranges::fill(x, 0.0); });
   whole("the opposite of the right one", "-" + name, [](Span x) {
@@ -224,11 +222,12 @@ class Wrong {
   std::size_t count() const { return calls_.size(); }
   const std::vector<Place>& results() const { return results_; }
 
-  /// Whether the results are those that `other` gives for four of five calls.
+  /// Whether the results are those that `other` gives for all calls, or for four of five.
+  bool of_all = true;
   template <class Other>
   bool given_by(Other other) const {
     if (stop_requested) return false;
-    const std::size_t allowed = count() / 5;
+    const std::size_t allowed = of_all ? 0 : count() / 5;
     std::size_t missed = 0;
     for (std::size_t i = 0; i < count(); ++i)
       if (!gives(i, other) && ++missed > allowed) return false;
@@ -318,8 +317,9 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
 
 std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   const std::vector<Place> places = places_of_arguments(operation);
-  const Wrong wrong(operation, calls, 1e-10);
+  Wrong wrong(operation, calls, 1e-10);
   if (wrong.count() < 4) return "";
+  wrong.of_all = false;  // a number may be a float by chance
   const auto rounded = [](Numbers x) {
     for (double& v : x)
       if (const auto rounded = static_cast<double>(static_cast<float>(v)); rounded != 0) v = rounded;
@@ -338,10 +338,9 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
   return "";
 }
 
-std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
-  const std::vector<Place> places = places_of_arguments(operation);
-  const Wrong wrong(operation, calls, 1e-6);
-  if (wrong.count() < 4) return "";
+namespace {
+/// The one change that gives the wrong results, in words; or "".
+std::string change_of(const Operation& operation, const std::vector<Place>& places, const Wrong& wrong) {
   for (const Place& at : places)
     for (const Place& part : wrong.results())
       if (at.size == part.size && at.size > 1 && wrong.given_by([&](const JudgedCall& c) {
@@ -383,6 +382,19 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
         }))
       return fmt::format("where it fails, {} is what {} would give", wrong.subject(), change.text);
   return of_another_frame(operation, places, wrong);
+}
+
+}  // namespace
+
+std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
+  Wrong wrong(operation, calls, 1e-6);
+  if (wrong.count() < 4) return "";
+  for (const bool of_all : {true, false}) {
+    wrong.of_all = of_all;
+    if (std::string text = change_of(operation, places_of_arguments(operation), wrong); !text.empty())
+      return text;
+  }
+  return "";
 }
 
 }  // namespace liecheck::properties
