@@ -1,6 +1,6 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
-#include <campaign/robots.hpp>
 #include <campaign/series.hpp>
+#include <campaign/robots.hpp>
 #include <campaign/window.hpp>
 #include <invariants/property.hpp>
 

@@ -23,8 +23,9 @@ Values nearer(const Numbers& x) {
   const Values a = given(x, 0, 4), b = given(x, 4, 4);
   return a.dot(b) < 0 ? Values(-b) : b;
 }
-Values along_the_arc(const Values& a, const Values& b, double t) {
-  const double angle = std::atan2((a - b).norm() * (a + b).norm() / 2, a.dot(b));
+/// slerp from a to b, with the weights of the arc from a to `other`.
+Values weighted(const Values& a, const Values& b, const Values& other, double t) {
+  const double angle = std::atan2((a - other).norm() * (a + other).norm() / 2, a.dot(other));
   return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
@@ -42,15 +43,13 @@ const Alternative alternatives[] = {
     {"slerp", 0, 4, [](const Numbers& x) -> Values { return (1 - x[8]) * given(x, 0, 4) + x[8] * nearer(x); },
      "linear interpolation, which is not normalised, in place of slerp"},
     {"slerp", 0, 4,
-     [](const Numbers& x) -> Values { return along_the_arc(given(x, 0, 4), given(x, 4, 4), x[8]); },
+     [](const Numbers& x) -> Values {
+       return weighted(given(x, 0, 4), given(x, 4, 4), given(x, 4, 4), x[8]);
+     },
      "the longer way is taken where Q0 . Q1 < 0: -Q1 is the same rotation, and nearer"},
     {"slerp", 0, 4,
-     [](const Numbers& x) -> Values {
-       const Values a = given(x, 0, 4), b = given(x, 4, 4), c = nearer(x);
-       const double angle = std::atan2((a - c).norm() * (a + c).norm() / 2, a.dot(c));
-       return (std::sin((1 - x[8]) * angle) * a + std::sin(x[8] * angle) * b) / std::sin(angle);
-     },
-     "the weights are those of the nearer one of Q1 and -Q1, which multiply the other one"},
+     [](const Numbers& x) -> Values { return weighted(given(x, 0, 4), given(x, 4, 4), nearer(x), x[8]); },
+     "the weights are those of slerp to the nearer one of Q1 and -Q1, but they multiply Q1"},
     {"integrate", 0, 3,
      [](const Numbers& x) -> Values {
        const Numbers right = exact("integrate", x);

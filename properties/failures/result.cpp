@@ -227,9 +227,7 @@ std::string mirrored(const std::string& name) {
 /// "YZX, rotating (7)".
 std::string order_text(double number) {
   const oracles::Order order(static_cast<int>(number));
-  std::string axes;
-  for (const int axis : order.axes) axes += "XYZ"[axis];
-  return fmt::format("{}, {} ({})", axes, order.rotating ? "rotating" : "static", number);
+  return fmt::format("{}, {} ({})", order.name(), order.rotating ? "rotating" : "static", number);
 }
 
 /// By how much the rotation of Euler angles is wrong. Empty of other operations.

@@ -94,9 +94,9 @@ class Shape {
 
   std::string at_small_angles() const;
   std::string near_pi() const;
-  bool falls_above() const;
 
  private:
+  bool falls_above() const;
   const Point& p(std::size_t i) const { return points_[i]; }
   std::size_t size() const { return points_.size(); }
   double y(std::size_t i) const { return i < size() ? p(i).y : 0; }
@@ -173,7 +173,8 @@ class Shape {
            std::fabs(y(peak_) - y(peak_ - 1)) < jump && (grows_up_to(peak_ - 1) || grows_up_to(peak_));
   }
   /// Whether the errors are those of 1 - w^2 in place of |v|^2: w^2 is exact up to its last digit's square, so they grow as theta^2
-  /// up to the fourth root of eps, and fall as 1 / theta^2 above it.
+  /// up to the fourth root of eps, and fall as 1 / theta^2 above it: by two powers of ten a band, of which random inputs of a
+  /// band may show one less or one more.
   bool is_of_w_squared() const {
     return operation_of(f_) == "log3_quaternion" && peak_ >= 2 && peak_ + 2 < size() &&
            std::fabs(p(peak_).x - std::log10(root_) / 2) < 1.1 && y(peak_ - 1) > 0 && y(peak_ + 1) > 0 &&

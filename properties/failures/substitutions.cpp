@@ -1,8 +1,8 @@
 #include <failures/substitutions.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <conventions/values.hpp>
 #include <failures/relations.hpp>
@@ -81,11 +81,11 @@ void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
         change);
   };
   if (at.part->name == "order")
-    return add("the same axes, static in place of rotating or the other way round",
+    return add("the same axes, static for rotating or rotating for static,",
                [](Span x) { x[0] += static_cast<int>(x[0]) % 2 == 0 ? 1 : -1; });
   if (at.size == 9 || at.size == 36) whole("the transposed one", name + " transposed", transpose);
   if (is_quaternion(at)) {
-    whole("the conjugate of the right one", name + " conjugated, the inverse rotation",
+    whole("the conjugate of the right one", name + " conjugated, which is the inverse rotation,",
           [](Span x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
     whole("in the order w, x, y, z", name + " in the order w, x, y, z",
           [](Span x) { std::ranges::rotate(x, x.end() - 1); });
@@ -136,26 +136,15 @@ void add_exchanges(const std::vector<Place>& all, std::vector<Change>& changes) 
     }
 }
 
-/// The rows of R of a part that is a rotation.
-std::array<double, 9> rotation_in(std::span<const double> x) {
-  if (x.size() == 9) {
-    std::array<double, 9> R{};
-    std::ranges::copy(x, R.begin());
-    return R;
-  }
-  const double n = 2 / (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]), a = x[0], b = x[1], c = x[2],
-               w = x[3];
-  return {1 - n * (b * b + c * c), n * (a * b - c * w),     n * (a * c + b * w),
-          n * (a * b + c * w),     1 - n * (a * a + c * c), n * (b * c - a * w),
-          n * (a * c - b * w),     n * (b * c + a * w),     1 - n * (a * a + b * b)};
+/// R of a part that is a rotation.
+Eigen::Matrix3d rotation_in(std::span<const double> x) {
+  if (x.size() == 9) return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(x.data());
+  return Eigen::Quaterniond(x.data()).normalized().toRotationMatrix();
 }
 /// Turns a vector from B to A by R, or back.
-void turn(Span v, const std::array<double, 9>& R, bool back) {
-  const std::array<double, 3> x{v[0], v[1], v[2]};
-  for (std::size_t i = 0; i < 3; ++i) {
-    v[i] = 0;
-    for (std::size_t k = 0; k < 3; ++k) v[i] += R[back ? 3 * k + i : 3 * i + k] * x[k];
-  }
+void turn(Span v, const Eigen::Matrix3d& R, bool back) {
+  Eigen::Map<Eigen::Vector3d> x(v.data());
+  x = back ? Eigen::Vector3d(R.transpose() * x) : Eigen::Vector3d(R * x);
 }
 bool is_rotation(const Place& p) {
   return is_quaternion(p) || (p.size == 9 && p.part->name.starts_with("R"));
@@ -209,8 +198,8 @@ class Wrong {
       std::vector<Place> wrong;
       for (const Place& p : results_) {
         const double scale = size_of_part(p, c.right);
-        if (p.part->unit == "rad" && std::fabs(scale - std::numbers::pi) < 1e-6)
-          continue;  // either sign is right
+        // Of a rotation nearer to pi than results must err to count, either sign is right.
+        if (p.part->unit == "rad" && std::fabs(scale - std::numbers::pi) < least * std::numbers::pi) continue;
         // Of a tiny angle, a right formula may lose digits that are far below a millionth of a rad.
         if (!(distance(p, c.call.result, c.right) <= least * (p.size == 1 ? std::max(scale, 1.0) : scale)))
           wrong.push_back(p);
@@ -318,7 +307,7 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
   const std::vector<Place> places = places_of_arguments(operation);
   Wrong wrong(operation, calls, 1e-10);
   if (wrong.count() < 4) return "";
-  wrong.of_all = false;  // a number may be a float by chance
+  wrong.of_all = false;  // some may be wrong for another reason
   const auto rounded = [](Numbers x) {
     for (double& v : x)
       if (const auto rounded = static_cast<double>(static_cast<float>(v)); rounded != 0) v = rounded;

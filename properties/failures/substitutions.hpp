@@ -19,8 +19,8 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output);
 /// Whether most results that are wrong are right ones in float, or those for an argument in float, in words; or "".
 std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
-/// The one change of the arguments, or of the right result, that gives four of five wrong results, in words: "a wrong result is
-/// what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
+/// The one change of the arguments, or of the right result, that gives all wrong results, or else four of five, in words:
+/// "where it fails, the result is what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
 /// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 

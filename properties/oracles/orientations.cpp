@@ -99,6 +99,12 @@ Order::Order(int number) {
   rotating = number % 2 == 1;
 }
 
+std::string Order::name() const {
+  std::string text;
+  for (const int axis : axes) text += "XYZ"[axis];
+  return text;
+}
+
 Resolved<Quaternion<>> euler(const Order& order, const Vec3<>& angles) {
   Quaternion<Wide> Q = zero_vector<4, Wide>();
   Q[3] = 1;

@@ -16,6 +16,7 @@
 #include <oracles/log.hpp>
 #include <oracles/quaternion.hpp>
 #include <oracles/spatial.hpp>
+#include <string>
 
 namespace liecheck::oracles {
 
@@ -47,6 +48,7 @@ struct Order {
   std::array<int, 3> axes;
   bool rotating;
   explicit Order(int number);
+  std::string name() const;  ///< of the axes: "XYZ"
 };
 /// The quaternion of Euler angles [rad] of any size.
 Resolved<Quaternion<>> euler(const Order& order, const Vec3<>& angles);

@@ -26,7 +26,7 @@ struct Condition {
 /// The condition, of those that are no angle, that holds for nearly all failing inputs of an output and for few others; or
 /// without which none fails, and with which significantly more do. Of all inputs, or else of those in the bands for which
 /// `fails_in` is true, if it is given. None if no condition separates, or if fewer than three inputs fail or pass. It
-/// measures the first 1000 cases of the seed, or 2000 if fewer than 20 of these fail, for at most 3 s, then searches each
+/// measures the first 1000 cases of the seed, or 2000 if fewer than 20 of these fail, for at most 3 s of an idle machine, then searches each
 /// border between a failing and a passing input by bisection.
 std::optional<Condition> condition_of(const Series& series, std::size_t output, std::uint64_t seed,
                                       const std::function<bool(std::size_t band)>& fails_in = {});

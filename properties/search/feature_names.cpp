@@ -221,9 +221,7 @@ class ArgumentReader {
       return Pair("the first axis of the order is its last", "the axes of the order are three (Tait-Bryan)");
     });
     for (int k = 0; k < 24; k += 2) {
-      const oracles::Order order(k);
-      std::string axes;
-      for (const int axis : order.axes) axes += "XYZ"[axis];
+      const std::string axes = oracles::Order(k).name();
       flag(number / 2 == k / 2, [&] { return Pair("the order is " + axes, "the order is not " + axes); });
     }
   }

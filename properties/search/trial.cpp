@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <generators/trees.hpp>
+#include <generators/tree_shrinks.hpp>
 #include <invariants/property.hpp>
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
@@ -145,16 +145,12 @@ std::vector<double> input_between(const Series& series, const std::vector<double
   return x;
 }
 
-std::vector<double> without_last_joint(const Series& series, std::vector<double> x) {
+std::vector<double> without_last_joint(const Series& series, const std::vector<double>& x) {
   if (!is_tree_law(series.property) || series.on_robot) return {};
   const TreeLayout at = TreeLayout::of_size(x.size());
   int joints = 0;
-  const auto number = [&](int i) -> double& { return x[static_cast<std::size_t>(i)]; };
-  while (joints < at.slots && number(at.parent(joints)) > absent_joint) ++joints;
-  if (joints < 2) return {};
-  tree_detail::clear_joint(at, x, joints - 1);
-  for (const int i : {at.frame(), at.wrench()}) number(i) = std::min(number(i), double(joints - 2));
-  return x;
+  while (joints < at.slots && x[static_cast<std::size_t>(at.parent(joints))] > absent_joint) ++joints;
+  return joints < 2 ? std::vector<double>() : shrinks::first_joints(x, joints - 1);
 }
 
 }  // namespace liecheck::properties

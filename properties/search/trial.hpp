@@ -30,7 +30,7 @@ class Trial {
   /// One for each measurement of the output, if each has its own call; else one, the worst. None if nothing was measured.
   std::vector<Tried> operator()(const std::vector<double>& x);
 
-  /// The features: those of the operation's arguments, then those of every call.
+  /// The features: those of every call, then those of the operation's arguments.
   const std::vector<FeatureName>& names() const { return names_; }
 
  private:
@@ -49,6 +49,6 @@ std::vector<double> input_between(const Series& series, const std::vector<double
                                   const std::vector<double>& b, double t);
 
 /// The tree of an input without its last joint; empty if the law has no trees, or the tree has one joint.
-std::vector<double> without_last_joint(const Series& series, std::vector<double> x);
+std::vector<double> without_last_joint(const Series& series, const std::vector<double>& x);
 
 }  // namespace liecheck::properties
