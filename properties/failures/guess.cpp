@@ -140,6 +140,27 @@ std::string convention(const FailedBlock& f) {
   }
 }
 
+/// Whether most numbers of wrong results are right in some of them and wrong in others, by chance. What is calculated with
+/// too few digits makes the same numbers wrong.
+bool is_scattered(const std::vector<JudgedCall>& calls) {
+  constexpr double right = 1e-13, wrong = 1e-10;
+  std::map<std::size_t, std::pair<int, int>> counts;  // right and wrong, of each number of a result
+  for (const auto& [call, exact] : calls) {
+    const auto error = [&](std::size_t i) { return std::fabs(call.result[i] / exact[i] - 1); };
+    std::vector<std::size_t> general;  // numbers that formulas round
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      if (std::fabs(exact[i]) > 1e-3 && std::fabs(std::fabs(exact[i]) - 1) > 1e-3) general.push_back(i);
+    if (std::ranges::none_of(general, [&](std::size_t i) { return error(i) > wrong; })) continue;
+    for (const std::size_t i : general)
+      error(i) > wrong ? ++counts[i].second : counts[i].first += error(i) < right;
+  }
+  const auto varies = std::ranges::count_if(counts, [](const auto& c) {
+    const auto& [right_ones, wrong_ones] = c.second;
+    return right_ones > 3 && wrong_ones > 3 && right_ones * 5 > wrong_ones && wrong_ones * 5 > right_ones;
+  });
+  return 2 * varies > std::ssize(counts);
+}
+
 /// The errors over a feature: the slope of their logarithms, 0 if it is not known; the largest value at which more than a
 /// thousandth is wrong; and the largest one below which most errors are of the size of the feature.
 struct ErrorsOver {
@@ -249,7 +270,11 @@ std::string guess_of(const FailedBlock& f) {
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;
-  if (m.coarse * 2 > m.all && !euler_angles && (as_a_float || m.same()) && !fails_at_zero(f))
+  const auto scattered = [](const Operation&, const std::vector<JudgedCall>& all) {
+    return std::string(is_scattered(all) ? "scattered" : "");
+  };
+  if (m.coarse * 2 > m.all && !euler_angles && (as_a_float || m.same()) && !fails_at_zero(f) &&
+      of_calls(scattered).empty())
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

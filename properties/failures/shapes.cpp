@@ -155,6 +155,12 @@ class Shape {
     }
     return std::nullopt;
   }
+  /// Whether the errors fall by half a power of ten a band at least, from band i to the last one that fails.
+  bool fall_from(std::size_t i) const {
+    std::size_t last = i;
+    while (last + 1 < size() && y(last + 1) > 0) ++last;
+    return raw(i) - raw(last) >= 0.5 * static_cast<double>(last - i);
+  }
   /// Whether the errors of the three bands up to i grow as theta.
   bool grows_up_to(std::size_t i) const {
     for (std::size_t k = i; k + 3 > i; --k)
@@ -263,7 +269,7 @@ std::string Shape::at_small_angles() const {
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, and the series below it lacks a term",
         power_of_ten(p(*step).low));
-  if (has_series(f_) && ends_below && y(peak_ + 1) > 0.5 && p(peak_).many_fail())
+  if (has_series(f_) && ends_below && y(peak_ + 1) > 0.5 && p(peak_).many_fail() && fall_from(peak_))
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
         border(p(peak_), p(peak_ - 1)));

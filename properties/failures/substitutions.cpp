@@ -200,6 +200,8 @@ class Wrong {
         const double scale = size_of_part(p, c.right);
         // Of a rotation nearer to pi than results must err to count, either sign is right.
         if (p.part->unit == "rad" && std::fabs(scale - std::numbers::pi) < least * std::numbers::pi) continue;
+        // Numbers so small underflow in float, and in products, whatever else is wrong.
+        if (scale < 1e-30 && size_of_part(p, c.call.result) < 1e-30) continue;
         // Of a tiny angle, a right formula may lose digits that are far below a millionth of a rad.
         if (!(distance(p, c.call.result, c.right) <= least * (p.size == 1 ? std::max(scale, 1.0) : scale)))
           wrong.push_back(p);
@@ -310,7 +312,7 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
   wrong.of_all = false;  // some may be wrong for another reason
   const auto rounded = [](Numbers x) {
     for (double& v : x)
-      if (const auto rounded = static_cast<double>(static_cast<float>(v)); rounded != 0) v = rounded;
+      if (const double rounded = oracles::rounded_to_float(v); rounded != 0) v = rounded;
     return x;
   };
   if (wrong.given_by([&](const JudgedCall& c) { return rounded(c.right); }))

@@ -57,7 +57,7 @@ TEST(Substitutions, ANumberOfTheOppositeSign) {
 
 TEST(Substitutions, AResultInFloat) {
   const auto in_float = [](const auto&, auto& result) {
-    for (double& x : result) x = static_cast<float>(x);
+    for (double& x : result) x = oracles::rounded_to_float(x);
   };
   EXPECT_EQ(float_of(op::exp3_quaternion, calls_of(op::exp3_quaternion, numbers(3), in_float)),
             "where it fails, the result is rounded to float");
