@@ -78,7 +78,7 @@ NotedCase noted_in(const Series& series, const CaseId& id, std::size_t output) {
   Limits limits = series.limits();
   for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
   Judge judge(limits, series.format(), 0, true);
-  Witness witness{of.operation, of.block, {}};
+  Witness witness{of.operation, of.block, false, {}};
   Witness* const before = std::exchange(Witness::current(), &witness);
   try {
     series.tested_law().measure(subject, x, judge);

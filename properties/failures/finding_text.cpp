@@ -8,6 +8,7 @@
 #include <failures/findings.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
+#include <failures/tree_substitutions.hpp>
 #include <failures/two_results.hpp>
 #include <search/plain.hpp>
 #include <support/stop.hpp>
@@ -139,6 +140,7 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (guess.empty() && !finding.used.empty())
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");
+  if (guess.empty()) guess = needed_term_of(*first.worst->series, first.worst->output);
   if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),

@@ -9,6 +9,7 @@
 #include <failures/blocks.hpp>
 #include <failures/calls.hpp>
 #include <failures/shapes.hpp>
+#include <failures/tree_substitutions.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
 #include <optional>
@@ -237,6 +238,8 @@ std::string guess_of(const FailedBlock& f) {
   const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
+  if (std::string guess = tree_substitution_of(*f.worst->series, f.worst->output); !guess.empty())
+    return guess;
   std::optional<std::vector<JudgedCall>> calls;  // measured when they are needed
   const auto of_calls = [&](auto cause) {
     if (!calls) calls = judged_calls(*f.worst->series, f.worst->output);

@@ -6,6 +6,7 @@
 #include <invariants/tree_laws.hpp>
 #include <invariants/tree_norms.hpp>
 #include <invariants/tree_program.hpp>
+#include <invariants/witness.hpp>
 #include <numeric>
 #include <stdexcept>
 
@@ -191,6 +192,8 @@ class TreeLaw : public Law<P, AnyTreeLaw> {
   void in(const Subject& subject, const std::vector<double>& input, Recorder& recorder) const {
     const std::vector<double> full = this->full_of(input);
     CaseAt<T> c(this->layout_of(full), full);
+    // Balls that could not decide have noted it before.
+    if (Witness* const w = Witness::current(); w && w->every) w->all.clear();
     if (!P::rebuilds) c.stored.urdf = this->urdf_;
     static_cast<const P*>(this)->template of<T>(subject.operations, std::as_const(c), recorder);
   }

@@ -10,9 +10,12 @@ namespace liecheck::properties {
 struct Witness {
   struct Compared {
     std::vector<oracles::Real> computed, exact;
+    std::string_view operation, block;
   };
   std::string_view operation, block;  ///< of the output to note
-  std::vector<Compared> all;          ///< in the order of the measurements: one for each reference frame
+  bool every =
+      false;  ///< whether to note all outputs in its place, also what balls compare, by their centres
+  std::vector<Compared> all;  ///< in the order of the measurements: one for each reference frame
 
   /// The one of this thread, or null.
   static Witness*& current() {

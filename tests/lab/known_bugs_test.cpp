@@ -58,8 +58,27 @@ TEST(KnownBugs, AFindingOnATreeDrawsItAndSaysWhere) {
   EXPECT_EQ(code, 1);
   EXPECT_NE(text.find("   where    a joint has an armature: "), std::string::npos) << text;
   EXPECT_NE(text.find("   tree     1  "), std::string::npos) << text;
+  EXPECT_NE(text.find("   perhaps  where it fails, the result is what twice the armature would give"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find(", armature 1; mass 1"), std::string::npos) << text;
   EXPECT_NE(text.find("M[0,0] is 3, and 2 is right"), std::string::npos) << text;
+}
+
+TEST(KnownBugs, AFindingOnATreeNamesTheTreeTheResultOrTheTermThatItComesFrom) {
+  const std::pair<const char*, const char*> bugs[] = {
+      {"tree_gravity_sign", "where it fails, the result is the opposite of the right one"},
+      {"tree_aligned_for_world", "where it fails, the result is that of LOCAL_WORLD_ALIGNED"},
+      {"tree_spatial_for_classical", "where it fails, the result is that of frame_acceleration"},
+      {"tree_derivative_at_rest", "where it fails, the result is what a = 0 would give"},
+      {"tree_coriolis_factor", "it is right with v = 0, so a term that is 0 then is wrong or missing"}};
+  for (const auto& [bug, cause] : bugs) {
+    const auto [code, text] = shell(
+        "{ " LIECHECK_LAB " campaign --no-hard-cases --scalar double --subject bug:" + std::string(bug) +
+        " 2>/dev/null; }");
+    EXPECT_EQ(code, 1) << bug;
+    EXPECT_NE(text.find(std::string("   perhaps  ") + cause + "\n"), std::string::npos) << text;
+  }
 }
 
 TEST(KnownBugs, TheCauseOfAFaultyFormIsNamedRightlyOrNotAtAll) {

@@ -126,7 +126,9 @@ TEST_P(ChangesOfALibrary, HaveTheExitCodeThatItsMaintainerExpects) {
     if (!record[list].empty()) {
       const auto what = record[list][0]["what"].get<std::string>();
       EXPECT_SAYS(comment, markdown(what));
-      if (list == std::string("worse")) EXPECT_SAYS(said.text, what);
+      if (list == std::string("worse")) {
+        EXPECT_SAYS(said.text, what);
+      }
     }
 }
 

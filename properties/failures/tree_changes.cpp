@@ -1,0 +1,252 @@
+#include <failures/tree_changes.hpp>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <generators/tree_layout.hpp>
+#include <oracles/tree.hpp>
+#include <span>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Span = std::span<double>;
+using oracles::JointKind;
+
+/// A random tree as the list of its numbers, by what they are.
+class TreeNumbers {
+ public:
+  explicit TreeNumbers(std::vector<double>& x) : x_(x), at_(TreeLayout::of_size(x.size())) {}
+
+  int joints() const {
+    int n = 0;
+    while (n < at_.slots && parent(n) > absent_joint) ++n;
+    return n;
+  }
+  int parent(int joint) const { return static_cast<int>(part(at_.parent(joint), 1)[0]); }
+  JointKind kind(int joint) const {
+    return static_cast<JointKind>(static_cast<int>(part(at_.kind(joint), 1)[0]));
+  }
+  Span of_joint(int joint, int from, int size) const { return part(at_.slot(joint) + from, size); }
+  Span gravity() const { return part(at_.gravity(), 3); }
+  double& frame_joint() const { return part(at_.frame(), 1)[0]; }
+  Span frame_Q() const { return part(at_.frame() + 1, 4); }
+  Span frame_p() const { return part(at_.frame() + 5, 3); }
+  double& wrench_joint() const { return part(at_.wrench(), 1)[0]; }
+  Span force() const { return part(at_.wrench() + 1, 3); }
+  Span moment() const { return part(at_.wrench() + 4, 3); }
+  /// Hangs the wrench on another joint, if there is such a joint.
+  void hang_wrench(int on) const {
+    if (wrench_joint() >= 0 && on >= 0 && on < joints()) wrench_joint() = on;
+  }
+
+ private:
+  Span part(int from, int size) const {
+    return Span(x_).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(size));
+  }
+  std::vector<double>& x_;
+  TreeLayout at_;
+};
+
+void to_zero(Span x) {
+  std::ranges::fill(x, 0.0);
+}
+void opposite(Span x) {
+  for (double& v : x) v = -v;
+}
+void conjugate(Span Q) {
+  opposite(Q.first(3));
+}
+void to_identity(Span Q) {
+  to_zero(Q), Q[3] = 1;
+}
+/// As good as 0: a joint needs an inertia.
+void to_nearly_zero(Span armature) {
+  armature[0] *= 0x1p-30;
+}
+void from_w(Span Q) {
+  std::ranges::rotate(Q, Q.begin() + 1);
+}
+
+class Changes {
+ public:
+  using OfTree = std::function<void(const TreeNumbers&)>;
+  std::vector<TreeChange> all;
+
+  void of_tree(std::string text, OfTree apply, std::string of_columns) {
+    all.push_back({std::move(text), std::move(of_columns), false,
+                   [apply = std::move(apply)](std::vector<double>& x) { apply(TreeNumbers(x)); }});
+  }
+  /// One that changes the columns of a Jacobian as it changes all else.
+  void of_tree(const std::string& text, OfTree apply) { of_tree(text, std::move(apply), text); }
+  /// Of the numbers of some joints.
+  template <class Which>
+  void of_joints(const std::string& text, const std::string& of_columns, int from, int size,
+                 void (*change)(Span), Which which) {
+    of_tree(
+        text,
+        [=](const TreeNumbers& tree) {
+          for (int i = 0; i < tree.joints(); ++i)
+            if (which(tree, i)) change(tree.of_joint(i, from, size));
+        },
+        of_columns);
+  }
+  void of_joints(const std::string& text, int from, int size, void (*change)(Span)) {
+    of_joints(text, text, from, size, change, [](const TreeNumbers&, int) { return true; });
+  }
+};
+
+void add_gravity_and_wrench(Changes& c) {
+  c.of_tree("gravity 0", [](const TreeNumbers& t) { to_zero(t.gravity()); });
+  c.of_tree("gravity (0, 0, -9.81) in place of the model's",
+            [](const TreeNumbers& t) { to_zero(t.gravity()), t.gravity()[2] = -9.81; });
+  c.of_tree("gravity without its x and y", [](const TreeNumbers& t) { to_zero(t.gravity().first(2)); });
+  c.of_tree("gravity in the opposite direction", [](const TreeNumbers& t) { opposite(t.gravity()); });
+  c.of_tree("no wrench", [](const TreeNumbers& t) { to_zero(t.force()), to_zero(t.moment()); });
+  c.of_tree("no force in the wrench", [](const TreeNumbers& t) { to_zero(t.force()); });
+  c.of_tree("no moment in the wrench", [](const TreeNumbers& t) { to_zero(t.moment()); });
+  c.of_tree("the opposite wrench", [](const TreeNumbers& t) { opposite(t.force()), opposite(t.moment()); });
+  c.of_tree("the wrench with force and moment exchanged",
+            [](const TreeNumbers& t) { std::ranges::swap_ranges(t.force(), t.moment()); });
+  const auto on = [](const TreeNumbers& t) { return static_cast<int>(t.wrench_joint()); };
+  c.of_tree("the wrench on the joint before its own",
+            [on](const TreeNumbers& t) { t.hang_wrench(on(t) - 1); });
+  c.of_tree("the wrench on the joint after its own",
+            [on](const TreeNumbers& t) { t.hang_wrench(on(t) + 1); });
+  c.of_tree("the wrench on the first joint", [](const TreeNumbers& t) { t.hang_wrench(0); });
+  c.of_tree("the wrench on the last joint", [](const TreeNumbers& t) { t.hang_wrench(t.joints() - 1); });
+}
+
+void add_rates(Changes& c) {
+  using enum JointKind;
+  const auto any = [](const TreeNumbers&, int) { return true; };
+  const auto root = [](const TreeNumbers& t, int i) { return t.parent(i) < 0; };
+  c.of_joints("v = 0", "", TreeSlot::v, 6, to_zero, any);
+  c.of_joints("-v", "", TreeSlot::v, 6, opposite, any);
+  c.of_joints("a = 0", "", TreeSlot::a, 6, to_zero, any);
+  c.of_joints("-a", "", TreeSlot::a, 6, opposite, any);
+  c.of_joints("v = 0 of the joints without a parent", "columns 0 of the joints without a parent", TreeSlot::v,
+              6, to_zero, root);
+  c.of_joints("a = 0 of the joints without a parent", "", TreeSlot::a, 6, to_zero, root);
+  for (int k = 0; k < oracles::joint_kinds; ++k) {
+    const auto kind = static_cast<JointKind>(k);
+    const auto has = [kind](const TreeNumbers& t, int i) { return t.kind(i) == kind; };
+    const std::string joints = fmt::format("of {} joints", oracles::joint_names[static_cast<std::size_t>(k)]);
+    c.of_joints("v = 0 " + joints, "columns 0 " + joints, TreeSlot::v, 6, to_zero, has);
+    c.of_joints("-v " + joints, "columns of the opposite sign " + joints, TreeSlot::v, 6, opposite, has);
+    c.of_joints("a = 0 " + joints, "", TreeSlot::a, 6, to_zero, has);
+    if (kind == free_flyer || kind == planar)
+      c.of_joints(
+          "linear and angular velocity exchanged " + joints,
+          "columns of linear and angular velocity exchanged " + joints, TreeSlot::v, 6,
+          [](Span v) { std::ranges::swap_ranges(v.first(3), v.last(3)); }, has);
+  }
+  for (const bool back : {true, false})
+    c.of_tree(
+        fmt::format("v of free-flyer joints {}",
+                    back ? "taken in the parent's axes" : "turned by the joint's rotation"),
+        [back](const TreeNumbers& t) {
+          for (int i = 0; i < t.joints(); ++i) {
+            if (t.kind(i) != free_flyer) continue;
+            const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
+            for (const int from : {TreeSlot::v + 0, TreeSlot::v + 3, TreeSlot::a + 0, TreeSlot::a + 3}) {
+              Eigen::Map<Eigen::Vector3d> u(t.of_joint(i, from, 3).data());
+              u = back ? Eigen::Vector3d(Q.conjugate() * u) : Eigen::Vector3d(Q * u);
+            }
+          }
+        });
+}
+
+void add_joints(Changes& c) {
+  using enum JointKind;
+  const auto several = [](const TreeNumbers& t, int i) { return oracles::velocity_size(t.kind(i)) > 1; };
+  c.of_joints("an armature of 0", TreeSlot::armature, 1, to_nearly_zero);
+  c.of_joints("an armature of 0 of joints with several velocities", "", TreeSlot::armature, 1, to_nearly_zero,
+              several);
+  c.of_joints("twice the armature", TreeSlot::armature, 1, [](Span x) { x[0] *= 2; });
+  c.of_joints("joints whose placements are not turned", TreeSlot::Q, 4, to_identity);
+  c.of_joints("joints whose placements are turned in the opposite direction", TreeSlot::Q, 4, conjugate);
+  c.of_joints("joints whose placements are not shifted", TreeSlot::p, 3, to_zero);
+  c.of_joints("axes of joints in the opposite direction", TreeSlot::axis, 3, opposite);
+  c.of_joints("the pitch 0 of helical joints", TreeSlot::pitch, 1, to_zero);
+  c.of_joints("-pitch of helical joints", TreeSlot::pitch, 1, opposite);
+  c.of_joints("multipliers of mimics that are 1", TreeSlot::multiplier, 1, [](Span x) { x[0] = 1; });
+  c.of_joints("offsets of mimics that are 0", TreeSlot::offset, 1, to_zero);
+  c.of_joints("quaternions of q conjugated", TreeSlot::q_Q, 4, conjugate);
+  c.of_joints("quaternions of q in the order w, x, y, z", TreeSlot::q_Q, 4, from_w);
+  for (const JointKind kind : {spherical, free_flyer}) {
+    const auto has = [kind](const TreeNumbers& t, int i) { return t.kind(i) == kind; };
+    const std::string joints =
+                          fmt::format(" of {} joints", oracles::joint_names[static_cast<std::size_t>(kind)]),
+                      one = "the quaternion in q" + joints + " in the order w, x, y, z",
+                      other = "the quaternion in q" + joints + " conjugated";
+    c.of_joints(one, one, TreeSlot::q_Q, 4, from_w, has);
+    c.of_joints(other, other, TreeSlot::q_Q, 4, conjugate, has);
+  }
+  c.of_joints("cos >= 0 of continuous and planar joints", TreeSlot::q_circle, 2,
+              [](Span q) { q[0] = std::fabs(q[0]); });
+  c.of_joints("sin >= 0 of continuous and planar joints", TreeSlot::q_circle, 2,
+              [](Span q) { q[1] = std::fabs(q[1]); });
+  c.of_joints("continuous and planar joints turned in the opposite direction", TreeSlot::q_circle, 2,
+              [](Span q) { q[1] = -q[1]; });
+  c.of_joints("sin and cos of continuous and planar joints exchanged", TreeSlot::q_circle, 2,
+              [](Span q) { std::swap(q[0], q[1]); });
+  for (int k = 0; k < oracles::joint_kinds; ++k) {
+    const auto has = [kind = static_cast<JointKind>(k)](const TreeNumbers& t, int i) {
+      return t.kind(i) == kind;
+    };
+    const std::string joints = fmt::format("of {} joints", oracles::joint_names[static_cast<std::size_t>(k)]);
+    c.of_joints("an armature of 0 " + joints, "", TreeSlot::armature, 1, to_nearly_zero, has);
+    c.of_joints("axes in the opposite direction " + joints, "", TreeSlot::axis, 3, opposite, has);
+  }
+}
+
+void add_bodies_and_frame(Changes& c) {
+  c.of_joints("centres of mass in the origins of the joints", TreeSlot::c, 3, to_zero);
+  c.of_joints("centres of mass on the opposite side of the joints", TreeSlot::c, 3, opposite);
+  c.of_joints("inertias I_C = 0", TreeSlot::I, 6, to_zero);
+  c.of_joints("inertias I_C without what is beside their diagonals", TreeSlot::I, 6,
+              [](Span I) { I[1] = I[3] = I[4] = 0; });
+  c.of_joints("inertias I_C in the order xx, xy, xz, yy, yz, zz", TreeSlot::I, 6,
+              [](Span I) { std::swap(I[2], I[3]); });
+  c.of_tree("the frame not turned", [](const TreeNumbers& t) { to_identity(t.frame_Q()); });
+  c.of_tree("the frame turned in the opposite direction",
+            [](const TreeNumbers& t) { conjugate(t.frame_Q()); });
+  c.of_tree("the frame in the origin of its joint", [](const TreeNumbers& t) { to_zero(t.frame_p()); });
+  c.of_tree("the frame on the joint before its own",
+            [](const TreeNumbers& t) { t.frame_joint() = std::max(0.0, t.frame_joint() - 1); });
+}
+
+/// Those after which terms of a right formula are 0.
+constexpr std::string_view without_terms[]{"v = 0",
+                                           "a = 0",
+                                           "gravity 0",
+                                           "no wrench",
+                                           "an armature of 0",
+                                           "joints whose placements are not turned",
+                                           "joints whose placements are not shifted",
+                                           "the pitch 0 of helical joints",
+                                           "multipliers of mimics that are 1",
+                                           "offsets of mimics that are 0",
+                                           "centres of mass in the origins of the joints",
+                                           "inertias I_C without what is beside their diagonals",
+                                           "the frame not turned",
+                                           "the frame in the origin of its joint"};
+
+}  // namespace
+
+const std::vector<TreeChange>& tree_changes() {
+  static const std::vector<TreeChange> all = [] {
+    Changes c;
+    add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_bodies_and_frame(c);
+    for (TreeChange& change : c.all)
+      change.leaves_out = std::ranges::find(without_terms, change.text) != std::end(without_terms) ||
+                          change.text.starts_with("v = 0 of ");
+    return std::move(c.all);
+  }();
+  return all;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,23 @@
+#pragma once
+// Changes of a random tree and its state that a faulty algorithm may compute with: no armature, a wrench on another joint.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// A change in words that follow "the result is what" and stand before "would give".
+struct TreeChange {
+  std::string text;
+  std::string
+      of_columns;  ///< in place of `text` where J v is compared, not J; "" if the change tells nothing of columns
+  bool leaves_out = false;  ///< whether terms of a right formula are 0 after it
+  std::function<void(std::vector<double>&)>
+      apply;  ///< to the numbers of a random tree (generators/tree_layout.hpp)
+};
+
+/// The simplest first.
+const std::vector<TreeChange>& tree_changes();
+
+}  // namespace liecheck::properties
