@@ -57,6 +57,8 @@ function verdictWithoutFailure(subject) {
   const broken = of("hard_cases").flatMap(h => h.cells).filter(c => c.subject === subject && c.failed).length;
   if (!own.some(r => r.status === "pass")) return ["open", "incomplete: nothing was judged."];
   if (broken) return ["fail", `wrong: ${plural(broken, "hard case")} fail, no band is over its budget.`];
+  const wrong = of("wrong_calls").find(c => c.subject === subject);
+  if (wrong) return ["fail", `wrong where adapters are probed, and no law looks: ${wrong.sentence}.`];
   const open = own.some(r => ["unresolved", "unmeasured"].includes(r.status)) || of("not_measured").some(m => m.subject === subject);
   return open ? ["open", "incomplete: what was measured is within budget, but not all was measured."]
     : ["pass", "within budget in every measured band: no error was found."];

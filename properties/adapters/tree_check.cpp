@@ -145,7 +145,7 @@ class TreeCheck {
         to_(to),
         findings_(findings),
         model_(tree, adapter.description(), scalar, [&]() -> Adapter& { return adapter; }),
-        where_(tree.urdf ? "of the URDF of the built-in robot" : "of a chain of joints"),
+        where_(tree.urdf ? "of the URDF of the built-in robot" : "of a chain of joints with two bodies each"),
         first_(tree, scalar, number_),
         second_(tree, scalar, number_) {}
 

@@ -10,6 +10,7 @@
 #include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
 #include <failures/blocks.hpp>
+#include <failures/wrong_calls.hpp>
 #include <filesystem>
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
@@ -187,23 +188,23 @@ void print_oracles(const CampaignResult& r, bool verbose) {
       disagreed);
 }
 
-/// The verdict on a campaign and its hard cases, as an exit code. What has no verdict hides no failure, but a
-/// campaign that was interrupted has none.
+/// The verdict as an exit code. What has no verdict hides no failure, but an interrupted campaign has none.
 int code_of(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
   if (r.incomplete) return incomplete;
-  if (r.failed || any_failed(hard_cases)) return property_failed;
+  if (r.fails() || any_failed(hard_cases)) return property_failed;
   return r.undecided() || any_open(hard_cases) ? incomplete : within_budget;
 }
 
 /// The line of the verdict, with what is not in the table of the laws.
 std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
   const int code = code_of(r, hard_cases);
-  std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
-  constexpr const char* what[] = {"", ": laws failed", ": hard cases failed",
-                                  ": laws failed; hard cases failed"};
-  const int failed = (r.failed && !r.incomplete ? 1 : 0) + (any_failed(hard_cases) ? 2 : 0);
-  text += failed == 0 && any_open(hard_cases) ? ": hard cases have no verdict" : what[failed];
-  return text;
+  std::vector<const char*> what;
+  if (r.failed && !r.incomplete) what.push_back("laws failed");
+  if (any_failed(hard_cases)) what.push_back("hard cases failed");
+  if (!r.wrong_calls.empty()) what.push_back("calls of the probe are wrong");
+  if (what.empty() && any_open(hard_cases)) what.push_back("hard cases have no verdict");
+  return fmt::format("verdict {}{}{}", verdict_of(code != incomplete, code == within_budget),
+                     what.empty() ? "" : ": ", fmt::join(what, "; "));
 }
 
 /// Whose limits judge a subject.
@@ -221,12 +222,11 @@ std::set<std::string> limits_of(const CampaignResult& r) {
 
 void print_verdict(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const std::string& more) {
   const int code = code_of(r, hard_cases);
-  fmt::print("{}{}\n",
-             coloured(code == within_budget     ? Colour::green
-                      : code == property_failed ? Colour::red
-                                                : Colour::yellow,
-                      printable(verdict_line(r, hard_cases))),
-             printable(more));
+  const Colour failing = code == property_failed ? Colour::red : Colour::yellow;
+  fmt::print(
+      "{}{}\n",
+      coloured(code == within_budget ? Colour::green : failing, printable(verdict_line(r, hard_cases))),
+      printable(more));
 }
 
 /// Prints the table of the laws, each row that fails, the coverage and the digests.
@@ -268,21 +268,20 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   for (const auto& [series, tally] : r.series)
     subjects.insert(series->subject + (series->subject_version.empty() ? "" : " " + series->subject_version));
   const std::size_t many = told.findings.size();
-  print_verdict(r, hard_cases,
-                fmt::format("{}{}",
-                            subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
-                                                : fmt::format("; {}", fmt::join(subjects, ", ")),
-                            many == 0   ? ""
-                            : many == 1 ? ": 1 finding"
-                                        : fmt::format(": {} findings, the worst first", many)));
+  print_verdict(
+      r, hard_cases,
+      fmt::format("{}{}",
+                  subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
+                                      : fmt::format("; {}", fmt::join(subjects, ", ")),
+                  many ? fmt::format(": {} finding{}", many, many > 1 ? "s, the worst first" : "") : ""));
   print(told);
   if (!f.verbose) print_cliffs(r, told.failed, f.all), print_not_measured(r, f.all);
   for (const std::string& name : without_trees(f))
     fmt::print(
-        "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: give one with "
-        "--robot\n",
+        "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: "
+        "give one with --robot\n",
         name);
-  const std::string differences = printable_lines(text_of(differ));
+  const std::string differences = printable_lines(text_of(differ, r.wrong_calls));
   fmt::print("{}", differences);
   if (many > 0 || !differences.empty()) say("\n");
   if (f.verbose) print_details(r, hard_cases, f);
@@ -308,8 +307,8 @@ int run(const CampaignFlags& f) {
     selection.properties = laws_of(rules_named(f.rules), selection.properties);
   }
   const Robot robot = f.cases.robot.read();
-  Differences differ =
-      f.no_probe ? Differences() : f.selection.adapters.withhold_others(!f.store.first_shard());
+  const bool quiet = !f.store.first_shard();
+  Differences differ = f.no_probe ? Differences() : f.selection.adapters.withhold_others(quiet);
   differ.outside = f.selection.adapters.outside(robot);
   if (select(selection, robot).empty())
     throw std::invalid_argument(
@@ -326,6 +325,7 @@ int run(const CampaignFlags& f) {
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
   auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
+  done->result.wrong_calls = wrong_calls_beside(done->result, differ.wrong);
   if (!without_trees(f).empty() || !differ.conventions.empty()) done->result.measured = false;
   int code = incomplete;
   const ToldFindings told = told_findings(done->result, hard_cases, f.all);

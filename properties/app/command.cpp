@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <campaign/campaign.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <csignal>
@@ -98,11 +99,14 @@ namespace {
 void withhold(const std::string& text, bool quiet, Differences& all) try {
   std::vector<std::string> unexplained, withheld;
   std::optional<Steps> probed(std::in_place, "probing " + text);
-  const adapters::Checked checked = adapters::check(*adapters::start(text));
+  const auto adapter = adapters::start(text);
+  const adapters::Checked checked = adapters::check(*adapter);
   probed.reset();
   for (const conventions::Finding& found : checked.findings) {
     if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
-    if (!found.usual)
+    if (!found.named && !found.choice && found.operations.size() == 1)
+      all.wrong.push_back({adapter->description().name, found.operations.front(), found.sentence});
+    else if (!found.usual)
       (found.named ? all.conventions : found.choice ? all.choices : unexplained).push_back(found.sentence);
   }
   for (const adapters::CheckedOperation& o : checked.operations)
@@ -138,8 +142,10 @@ std::vector<std::string> AdapterFlags::outside(const Robot& robot) const {
   return all;
 }
 
-std::string text_of(const Differences& found) {
+std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls) {
   std::string text;
+  for (const WrongCall& call : wrong_calls)
+    text += fmt::format("\nWRONG  {}: {}\n", call.subject, call.sentence);
   for (const std::string& sentence : found.conventions) text += fmt::format("\nNOT JUDGED  {}\n", sentence);
   for (const auto* sentences : {&found.choices, &found.outside})
     for (const std::string& sentence : *sentences) text += fmt::format("\nremark  {}\n", sentence);
@@ -147,10 +153,12 @@ std::string text_of(const Differences& found) {
 }
 
 void check_conventions(const std::string& text) {
-  if (const auto differ = AdapterFlags{{text}}.withhold_others().conventions; !differ.empty())
+  const Differences found = AdapterFlags{{text}}.withhold_others();
+  for (const WrongWhenProbed& wrong : found.wrong) print_warnings({wrong.sentence});
+  if (!found.conventions.empty())
     throw std::invalid_argument(
         fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter",
-                    text, fmt::join(differ, "; ")));
+                    text, fmt::join(found.conventions, "; ")));
 }
 
 std::vector<Flag> LimitsFlags::add(Arguments& a) {

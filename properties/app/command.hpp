@@ -3,6 +3,7 @@
 // commands share, are declared here, too. This header hides CLI11, which takes five seconds to compile.
 
 #include <cstdint>
+#include <failures/wrong_calls.hpp>
 #include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -146,11 +147,12 @@ struct LimitsFlags {
 /// What a probe of adapters finds, a sentence each.
 struct Differences {
   std::vector<std::string> conventions;  ///< others than liecheck's
-  std::vector<std::string> choices;      ///< that the adapter does not state, and that are others than liecheck's
+  std::vector<std::string> choices;  ///< that the adapter does not state, and that are others than liecheck's
   std::vector<std::string> outside = {};  ///< what the adapter lacks, and what is therefore not judged
+  std::vector<WrongWhenProbed> wrong = {};
 };
-/// What is not judged, and the remarks: an empty line before each.
-std::string text_of(const Differences& found);
+/// What is wrong, and what is not judged, and the remarks: an empty line before each.
+std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls);
 
 /// --adapter, which may be repeated.
 struct AdapterFlags {
@@ -161,7 +163,7 @@ struct AdapterFlags {
   /// Starts the adapters, so that their subjects are known, and returns the names of these.
   std::vector<std::string> start() const;
   /// The operations that a convention concerns in which an adapter differs are withheld, because nearly every case would
-  /// fail. Warns of an operation that no known convention explains, or that breaks a stated choice, unless `quiet`.
+  /// fail. Warns of what an adapter states and does not do, unless `quiet`.
   Differences withhold_others(bool quiet = false) const;
   /// What is outside the domain of each adapter: what it refuses, and the mimics of a robot that it does not take.
   std::vector<std::string> outside(const Robot& robot) const;

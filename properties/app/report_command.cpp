@@ -4,6 +4,7 @@
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
 #include <app/lab.hpp>
+#include <failures/wrong_calls.hpp>
 #include <filesystem>
 #include <functional>
 #include <hard_cases/hard_cases.hpp>
@@ -77,7 +78,8 @@ void print_interrupted(const char* where) {
 fs::path run_campaign_of_report(const ReportFlags& f) {
   const bool everything = f.selection.subjects.empty() && f.selection.adapters.adapters.empty();
   const Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
-  const std::vector<std::string> differ = f.selection.adapters.withhold_others().conventions;
+  const Differences found = f.selection.adapters.withhold_others();
+  const std::vector<std::string>& differ = found.conventions;
   for (const std::string& text : differ) warn("not judged: " + text + "\n");
   const Robot robot = f.cases.robot.read();
   CostOptions times;
@@ -97,6 +99,9 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   const auto hard_cases = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
   run.result.measured = run.result.measured && differ.empty();
+  run.result.wrong_calls = wrong_calls_beside(run.result, found.wrong);
+  for (const WrongCall& call : run.result.wrong_calls)
+    warn(fmt::format("wrong: {}: {}\n", call.subject, call.sentence));
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = full_record_of(run);
   add_hard_cases(record, hard_cases, run.result.incomplete);

@@ -31,6 +31,11 @@ struct SeriesResult {
   Tally tally;
 };
 
+/// A call of the probe of an adapter that is wrong, of an operation that no law finds wrong.
+struct WrongCall {
+  std::string subject, sentence;
+};
+
 struct CampaignResult {
   CampaignOptions options;
   Robot robot;
@@ -38,13 +43,15 @@ struct CampaignResult {
   bool incomplete = false;  ///< interrupted: cases are missing
   bool failed = false;      ///< a row failed, a cliff was found (cliffs.hpp), or the oracles disagree
   bool measured = true;     ///< every series measured what it must (coverage_report.hpp)
+  std::vector<WrongCall> wrong_calls = {};
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s
   /// Computes the digests, the total and the verdict from the series.
   void summarize();
+  bool fails() const { return failed || !wrong_calls.empty(); }
   /// Whether the verdict is neither "pass" nor "fail". What was not measured hides no failure.
-  bool undecided() const { return incomplete || (!failed && !measured); }
+  bool undecided() const { return incomplete || (!fails() && !measured); }
 };
 
 /// The interface through which a campaign saves its progress, so that it can be resumed.

@@ -334,13 +334,11 @@ oracles::TreeSizes<double> CaseAt<T>::sizes(const std::vector<double>& v, const 
 template <class T>
 void CaseAt<T>::note(const Output& output, const std::vector<T>& computed, const std::vector<T>& exact) {
   Witness* const w = Witness::current();
-  if (!w || !(w->every || (w->operation == output.operation && w->block == output.block))) return;
+  if (!w || !w->notes(output.operation, output.block)) return;
   if constexpr (std::is_same_v<T, oracles::Real>)
     w->all.push_back({computed, exact, output.operation, output.block});
-  else if (w->every) {
-    const std::vector<double> x = rough_list(computed), y = rough_list(exact);
+  else if (const auto x = rough_list(computed), y = rough_list(exact); w->every)
     w->all.push_back({{x.begin(), x.end()}, {y.begin(), y.end()}, output.operation, output.block});
-  }
 }
 template <class T>
 bool CaseAt<T>::resolved(bool direction) const {

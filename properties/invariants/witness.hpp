@@ -16,6 +16,9 @@ struct Witness {
   bool every =
       false;  ///< whether to note all outputs in its place, also what balls compare, by their centres
   std::vector<Compared> all;  ///< in the order of the measurements: one for each reference frame
+  bool notes(std::string_view of, std::string_view part) const {
+    return every || (operation == of && block == part);
+  }
 
   /// The one of this thread, or null.
   static Witness*& current() {

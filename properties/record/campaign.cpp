@@ -208,6 +208,13 @@ json not_measured_record(const CampaignResult& r) {
   return all;
 }
 
+json wrong_calls_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const WrongCall& call : r.wrong_calls)
+    all.push_back({{"subject", call.subject}, {"sentence", call.sentence}});
+  return all;
+}
+
 json cliffs_record(const CampaignResult& r) {
   json all = json::array();
   for (const auto& [series, tally] : r.series)
@@ -259,8 +266,9 @@ json record_of(const StoredRun& run) {
       {"seed", r.options.seed},
       {"cases", r.options.seconds ? r.total_cases : r.options.cases},
       {"total_cases", r.total_cases},
-      {"verdict", verdict_of(!r.undecided(), !r.failed)},
+      {"verdict", verdict_of(!r.undecided(), !r.fails())},
       {"not_measured", not_measured_record(r)},
+      {"wrong_calls", wrong_calls_record(r)},
       {"cliffs", cliffs_record(r)},
       {"expected", expected_record(r)},
       {"counterexamples", counterexamples_record(run.counterexamples)},

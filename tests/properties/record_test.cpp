@@ -39,7 +39,7 @@ const Json& campaign() {
 Json schema_of_campaign() {
   Json rule = schema();
   for (const char* section : {"sweep", "bounds", "cost", "scenes"}) rule["properties"].erase(section);
-  for (const char* section : {"not_measured", "cliffs", "expected"})
+  for (const char* section : {"not_measured", "wrong_calls", "cliffs", "expected"})
     if (campaign()[section].empty()) rule["properties"][section].erase("items");
   return rule;
 }

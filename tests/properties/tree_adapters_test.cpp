@@ -148,9 +148,10 @@ TEST(TreeAdapters, TheLawsFindEachPlantedFault) {
 
 TEST(TreeAdapters, AFailureIsPrintedWithWhatTheAdapterReturned) {
   const Fault& f = faults[0];
-  const std::string command = "timeout -s KILL 60 " LIECHECK_PROGRAM
-                              " campaign --no-hard-cases --verbose --cases 3 -j 1 --property lagrange --adapter '" +
-                              altered(f.name, f.file, f.from, f.to) + "'";
+  const std::string command =
+      "timeout -s KILL 60 " LIECHECK_PROGRAM
+      " campaign --no-hard-cases --verbose --cases 3 -j 1 --property lagrange --adapter '" +
+      altered(f.name, f.file, f.from, f.to) + "'";
   const auto [code, text] = shell(command);
   EXPECT_EQ(code, 1) << text;
   for (const char* part : {"\n  result    tau of tree_nonlinear_effects\n",
@@ -247,7 +248,8 @@ TEST(TreeAdapters, AReaderOfUrdfsIsAskedOnlyAboutARobot) {
 
 TEST(TreeAdapters, TreesWithOtherJointsAreOutsideTheDomainAndNoPass) {
   const auto takes = [](const std::string& name, const std::string& joints) {
-    return altered(name, "adapter.py", R"("models": ["joints", "urdf", "mimics"])", "\"joints\": [" + joints + "]");
+    return altered(name, "adapter.py", R"("models": ["joints", "urdf", "mimics"])",
+                   "\"joints\": [" + joints + "]");
   };
   for (const auto& [output, row] : rows_of(takes("hinges", R"("revolute", "continuous", "armature")"),
                                            "mass_matrix", 60, built_in_robot())) {
@@ -275,21 +277,39 @@ TEST(TreeAdapters, ACheckSaysWhichNumberIsWrong) {
     const Checked checked = check(*start(altered("checked" + std::to_string(number++), "tree.py", J, to)));
     ASSERT_EQ(checked.findings.size(), 2u);
     const std::string& sentence = checked.findings[0].sentence;
-    EXPECT_EQ(sentence.find("frame_jacobian of a chain of joints in WORLD: "), 0u);
+    EXPECT_EQ(sentence.find("frame_jacobian of a chain of joints with two bodies each in WORLD: "), 0u);
     EXPECT_TRUE(sentence.ends_with(said)) << sentence;
     for (const CheckedOperation& o : checked.operations)
       EXPECT_EQ(o.complaint, o.operation == "frame_jacobian" ? "is wrong" : "") << o.operation;
   }
 }
 
+TEST(TreeAdapters, AWrongCallOfTheProbeWhoseOperationPassesFails) {
+  // Only one law has two bodies on a joint, and only for inverse dynamics.
+  const std::string adapter =
+      altered("probed", "tree.py", R"(R @ b["c"] + b["p"])", R"(R @ b["c"] + 2 * np.array(b["p"]))");
+  const std::string record = liecheck::scratch() + "/probed.json";
+  const auto [code, text] = shell("{ " LIECHECK_PROGRAM " test '" + adapter +
+                                  "' --cases 30 --no-hard-cases --json " + record + " 2>/dev/null; }");
+  EXPECT_EQ(code, 1);
+  EXPECT_EQ(text.find("verdict fail: laws failed; calls of the probe are wrong"), 0u) << text;
+  EXPECT_NE(text.find("\nWRONG  probed: tree_aba of a chain of joints with two bodies each: number "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(" are wrong there, too\n"), std::string::npos) << text;
+  EXPECT_NE(read_whole(record).find(R"("verdict": "fail")"), std::string::npos);
+}
+
 TEST(TreeAdapters, ADescriptionThatIsWrongIsRefusedInWords) {
   const auto refusal = [](const std::string& trees) {
-    return test::refusal<AdapterFailed>(
-        [&] { start(altered("described", "adapter.py", R"({"models": ["joints", "urdf", "mimics"]})", trees)); });
+    return test::refusal<AdapterFailed>([&] {
+      start(altered("described", "adapter.py", R"({"models": ["joints", "urdf", "mimics"]})", trees));
+    });
   };
   EXPECT_NE(refusal("3").find("has no object 'trees'"), std::string::npos);
   EXPECT_NE(refusal(R"({"models": "urdf"})").find("has no list 'models' in 'trees'"), std::string::npos);
-  EXPECT_NE(refusal(R"({"models": ["sdf"]})").find("where only joints, urdf, mimics are known"), std::string::npos);
+  EXPECT_NE(refusal(R"({"models": ["sdf"]})").find("where only joints, urdf, mimics are known"),
+            std::string::npos);
   EXPECT_NE(refusal(R"({"joints": []})").find("has an empty list 'joints' in 'trees'"), std::string::npos);
 }
 

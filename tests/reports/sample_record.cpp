@@ -201,6 +201,8 @@ Json full_record() {
         {{"reason", "why"}, {"refused", 0}, {"failed", r["status"] == "fail" ? 5 : 0}, {"unmeasured", 0}});
   all["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double", "subject": "liecheck",
  "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
+  all["wrong_calls"] = parsed(R"json([{"subject": "liecheck",
+ "sentence": "tree_rnea of a chain of joints with two bodies each: number 4 of its result is 1, and 2 is right"}])json");
   for (Json& r : all["results"])
     for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain",
                              "crashed", "environment_changed", "printed"})

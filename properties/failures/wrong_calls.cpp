@@ -1,0 +1,58 @@
+#include <failures/wrong_calls.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <campaign/campaign.hpp>
+#include <invariants/property.hpp>
+#include <map>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// Whether an output is of an operation, or formed from it.
+bool is_of(const Output& output, const Series& series, const std::string& operation) {
+  if (output.operation == operation) return true;
+  for (const Formed& formed : series.tested_law().statement().formed)
+    if (formed.quantity == output.record &&
+        std::ranges::any_of(formed.from, [&](const Operation* o) { return o->name == operation; }))
+      return true;
+  return false;
+}
+
+/// Whether a law measures an operation, and none finds it wrong, not even where a limits file expects it.
+bool passes(const CampaignResult& campaign, const std::string& subject, const std::string& operation) {
+  bool measured = false;
+  for (const auto& [series, tally] : campaign.series) {
+    if (series->subject != subject) continue;
+    for (const auto& [cell, row] : tally.rows) {
+      if (!is_of(series->outputs[static_cast<std::size_t>(cell.first)], *series, operation)) continue;
+      if (row.failed > 0) return false;
+      measured |= row.inside() > 0;
+    }
+  }
+  return measured;
+}
+
+}  // namespace
+
+std::vector<WrongCall> wrong_calls_beside(const CampaignResult& campaign,
+                                          const std::vector<WrongWhenProbed>& wrong) {
+  std::vector<WrongCall> all;
+  std::map<std::string, std::vector<std::string>> wrong_ones;  // by subject
+  for (const auto& [subject, operation, sentence] : wrong) {
+    if (!passes(campaign, subject, operation)) continue;
+    std::vector<std::string>& operations = wrong_ones[subject];
+    if (operations.empty()) all.push_back({subject, sentence});
+    if (std::ranges::find(operations, operation) == operations.end()) operations.push_back(operation);
+  }
+  for (const auto& [subject, operations] : wrong_ones)
+    if (operations.size() > 1)
+      all.push_back({subject, fmt::format("{} {} wrong there, too",
+                                          fmt::join(operations.begin() + 1, operations.end(), ", "),
+                                          operations.size() == 2 ? "is" : "are")});
+  return all;
+}
+
+}  // namespace liecheck::properties
