@@ -134,9 +134,13 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
                         finding.operation, domain);
-  std::string guess;  // of the first block whose errors tell one
-  for (const FailedBlock* f : finding.own)
-    if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar) guess = guess_of(*f);
+  std::string
+      guess;  // of the first block whose errors tell one; a jump tells least, since few angles are tried
+  for (const bool of_jumps : {false, true})
+    for (const FailedBlock* f : finding.own)
+      if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar &&
+          (f->block == "jump") == of_jumps)
+        guess = guess_of(*f);
   if (guess.empty() && !finding.used.empty())
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");

@@ -221,16 +221,38 @@ std::string near_gimbal_lock(const FailedBlock& f) {
                                       : "";
 }
 
+/// A cutoff where the result jumps, which is measured beside common cutoffs only. Where it jumps in many bands, or at angles
+/// far from each other, no cutoff is the cause.
+std::string of_jump(const FailedBlock& f) try {
+  const Series& series = *f.worst->series;
+  if (series.bands()[f.worst->band].axis != Axis::theta || std::ranges::count_if(f.bands, &BandOf::fails) > 2)
+    return "";
+  constexpr std::uint64_t any_seed = 42, cases = 1000;
+  std::size_t at_theta = 0;
+  for (const Field& field : series.fields)
+    if (field.name == "theta")
+      break;
+    else
+      at_theta += static_cast<std::size_t>(field.size);
+  std::vector<double> angles;
+  for (std::uint64_t i = 0; i < cases && !stop_requested; ++i) {
+    const std::vector<double> x = series.numbers(series.id(any_seed, i));
+    for (const Judged& j : series.measure(x))
+      if (j.failed && j.residual.output == f.worst->output) angles.push_back(x.at(at_theta));
+  }
+  if (angles.empty()) return "";
+  const auto [low, high] = std::ranges::minmax(angles);
+  return high > 2 * low
+             ? ""
+             : fmt::format("a cutoff at theta about {}, at which the result jumps", short_angle(low));
+} catch (const GivenUp&) {  // a signal ended a call
+  return "";
+}
+
 }  // namespace
 
 std::string guess_of(const FailedBlock& f) {
-  // Measured only beside common cutoffs. Where results jump in many bands, no cutoff is the cause.
-  const auto jumps = std::ranges::count_if(f.bands, &BandOf::fails);
-  if (f.block == "jump")
-    return f.worst->series->bands()[f.worst->band].axis == Axis::theta && jumps <= 2
-               ? fmt::format("a cutoff at theta about {}, at which the result jumps",
-                             power_of_ten(f.worst->series->bands()[f.worst->band].high))
-               : "";
+  if (f.block == "jump") return of_jump(f);
   const double eps = f.worst->series->eps;
   const Moderate m = at_moderate_angles(f, eps);
   if (m.other_branch * 5 > m.all && f.block == "rotation vector")

@@ -28,14 +28,6 @@ struct Point {
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
 constexpr std::uint64_t least_cases = 3;
 
-/// Two digits, as 0.02 or 1.5e-8, and a power of ten as 1e-2.
-std::string short_of(double x) {
-  if (std::fabs(std::log10(x) - std::round(std::log10(x))) < 0.02) return power_of_ten(x);
-  std::string text = fmt::format("{:.2g}", x);
-  if (const auto zero = text.find("e-0"); zero != text.npos) text.erase(zero + 2, 1);
-  return text;
-}
-
 bool is_rotation_vector(const FailedBlock& f) {
   return f.block == "rotation vector";
 }
@@ -137,7 +129,7 @@ class Shape {
   /// The angle of this, else the border of both bands.
   std::string border(const Point& failing, const Point& passing) const {
     const auto c = crossing(failing, passing);
-    return c ? short_of(c->angle) : power_of_ten(failing.x < passing.x ? failing.high : failing.low);
+    return c ? short_angle(c->angle) : power_of_ten(failing.x < passing.x ? failing.high : failing.low);
   }
   /// The band from which the errors start at once, and then fall over bands, if there is one: there a closed form begins.
   std::optional<std::size_t> sharp_start() const {
@@ -227,10 +219,10 @@ class Shape {
     return from ? fmt::format(
                       "a cutoff at theta about {}: above it the closed form cancels, the more the smaller "
                       "theta is",
-                      short_of(below->angle))
+                      short_angle(below->angle))
                 : fmt::format(
                       "a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
-                      short_of(above->angle));
+                      short_angle(above->angle));
   }
 
   const FailedBlock& f_;
@@ -279,7 +271,7 @@ std::string Shape::at_small_angles() const {
   if (has_series(f_) && is_of_cosine())
     return fmt::format(
         "1 - cos(theta) cancels, and is 0 below theta about {}: 2 sin(theta / 2)^2 keeps all digits",
-        short_of(root_));
+        short_angle(root_));
   if (errs_by_angle(f_) && p(peak_).still && near_root(p(peak_).high) && y(peak_ + 1) > 0.3 &&
       y(peak_ + 1) < y(peak_))
     return "acos near 1, which keeps half of the digits; atan2 of both parts does not";
@@ -365,7 +357,7 @@ std::string Shape::near_pi() const {
     return fmt::format(
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: (1 + cos(theta)) / "
         "sin(theta) is 1 / tan(theta / 2)",
-        short_of(root_));
+        short_angle(root_));
   if (p(0).y > jump && power < -0.5 && power > -2.5 && returns_quaternion(f_))
     return "a quaternion from a rotation matrix: something is divided by w = sqrt(1 + trace) / 2, which "
            "cancels near pi";
@@ -386,6 +378,12 @@ std::string shape_near_pi(const FailedBlock& f) {
   return Shape(f, Axis::pi_minus_theta).near_pi();
 }
 
+std::string short_angle(double theta) {
+  if (std::fabs(std::log10(theta) - std::round(std::log10(theta))) < 0.02) return power_of_ten(theta);
+  std::string text = fmt::format("{:.2g}", theta);
+  if (const auto zero = text.find("e-0"); zero != text.npos) text.erase(zero + 2, 1);
+  return text;
+}
 std::string power_of_ten(double theta) {
   return fmt::format("1e{}", static_cast<int>(std::lround(std::log10(theta))));
 }

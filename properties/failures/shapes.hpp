@@ -11,6 +11,8 @@ std::string shape_at_small_angles(const FailedBlock& f);
 /// The cause that the errors near pi tell, or "".
 std::string shape_near_pi(const FailedBlock& f);
 
+/// The angle to two digits, as 0.02 or 1.5e-8, and a power of ten as 1e-2.
+std::string short_angle(double theta);
 /// The angle as a power of ten.
 std::string power_of_ten(double theta);
 
