@@ -113,7 +113,8 @@ function fillAnswers(home) {
   const answer = (link, question, text) => element("li", {}, element("a", {href: link}, question), element("br"), text);
   home.append(element("ul", {class: "answers"},
     answer("#digits", "Which library is wrong, where, by how many digits?", failed.length ? `${whoIsWrong(failed)} Open a cell of the table.`
-      : "None was found to be wrong; the table has every operation."),
+      : unique(numbers.records.flatMap(r => r.wrong_calls ?? []).map(c => c.subject)).map(s => `${s} where adapters are probed. `).join("")
+        || "None was found to be wrong; the table has every operation."),
     answer("#cost", "What does a digit cost?", front ? `${priceOfDigits()}${advice ? ` For a 1 kHz controller, take ${advice}.` : ""}` : "These records hold no times."),
     answer("#stability", "Are hard cases stable?", !hard.length ? "These records hold no hard cases."
       : hard.some(c => c.failed) ? `Not all. Known difficult inputs that fail: ${bySubject.join(", ")}.` : `Yes: all ${hard.length} known difficult inputs are within budget.`)));
