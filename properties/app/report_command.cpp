@@ -99,7 +99,9 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   const auto hard_cases = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
   run.result.measured = run.result.measured && differ.empty();
-  run.result.wrong_calls = wrong_calls_beside(run.result, found.wrong);
+  std::vector<std::string> remarks;
+  run.result.wrong_calls = wrong_calls_beside(run.result, found.wrong, remarks);
+  print_warnings(remarks);
   for (const WrongCall& call : run.result.wrong_calls)
     warn(fmt::format("wrong: {}: {}\n", call.subject, call.sentence));
   if (run.result.incomplete) print_interrupted("");

@@ -134,8 +134,8 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
                         finding.operation, domain);
-  std::string
-      guess;  // of the first block whose errors tell one; a jump tells least, since few angles are tried
+  // That of the first block whose errors tell one. A jump tells least, since few angles are tried.
+  std::string guess;
   for (const bool of_jumps : {false, true})
     for (const FailedBlock* f : finding.own)
       if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar &&

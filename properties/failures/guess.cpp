@@ -144,6 +144,7 @@ std::string convention(const FailedBlock& f) {
 /// Whether most numbers of wrong results are right in some of them and wrong in others, by chance. What is calculated with
 /// too few digits makes the same numbers wrong.
 bool is_scattered(const std::vector<JudgedCall>& calls) {
+  // Rounding in double leaves an error below 1e-13 of such numbers, and a step in float one above 1e-10.
   constexpr double right = 1e-13, wrong = 1e-10;
   std::map<std::size_t, std::pair<int, int>> counts;  // right and wrong, of each number of a result
   for (const auto& [call, exact] : calls) {

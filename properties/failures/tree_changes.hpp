@@ -10,11 +10,11 @@ namespace liecheck::properties {
 /// A change in words that follow "the result is what" and stand before "would give".
 struct TreeChange {
   std::string text;
-  std::string
-      of_columns;  ///< in place of `text` where J v is compared, not J; "" if the change tells nothing of columns
+  /// In place of `text` where J v is compared, not J; "" if the change tells nothing of columns.
+  std::string of_columns;
   bool leaves_out = false;  ///< whether terms of a right formula are 0 after it
-  std::function<void(std::vector<double>&)>
-      apply;  ///< to the numbers of a random tree (generators/tree_layout.hpp)
+  /// Changes the numbers of a random tree (generators/tree_layout.hpp).
+  std::function<void(std::vector<double>&)> apply;
 };
 
 /// The simplest first.

@@ -109,8 +109,8 @@ std::vector<WrongTree> wrong_trees(const Series& series, std::size_t output) {
   return all;
 }
 
-/// Whether an alternative gives what was got on nine of ten trees, and on three at least. It gives nothing on a tree of
-/// which it makes none, as one without inertia, and that tree itself where it changes nothing.
+/// Whether an alternative gives what was got on nine of ten trees, and on three at least. Trees for which it has no result,
+/// since it would make them singular, do not count.
 template <class Alternative>
 bool explains(const std::vector<WrongTree>& trees, const Alternative& alternative) {
   std::size_t given = 0, missed = 0;

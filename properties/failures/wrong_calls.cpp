@@ -21,28 +21,33 @@ bool is_of(const Output& output, const Series& series, const std::string& operat
   return false;
 }
 
-/// Whether a law measures an operation, and none finds it wrong, not even where a limits file expects it.
-bool passes(const CampaignResult& campaign, const std::string& subject, const std::string& operation) {
-  bool measured = false;
+enum class Found { unmeasured, right, wrong };
+
+/// What the laws find of an operation. It is wrong even where a limits file expects it.
+Found found_of(const CampaignResult& campaign, const std::string& subject, const std::string& operation) {
+  Found found = Found::unmeasured;
   for (const auto& [series, tally] : campaign.series) {
     if (series->subject != subject) continue;
     for (const auto& [cell, row] : tally.rows) {
       if (!is_of(series->outputs[static_cast<std::size_t>(cell.first)], *series, operation)) continue;
-      if (row.failed > 0) return false;
-      measured |= row.inside() > 0;
+      if (row.failed > 0) return Found::wrong;
+      if (row.inside() > 0) found = Found::right;
     }
   }
-  return measured;
+  return found;
 }
 
 }  // namespace
 
 std::vector<WrongCall> wrong_calls_beside(const CampaignResult& campaign,
-                                          const std::vector<WrongWhenProbed>& wrong) {
+                                          const std::vector<WrongWhenProbed>& wrong,
+                                          std::vector<std::string>& remarks) {
   std::vector<WrongCall> all;
   std::map<std::string, std::vector<std::string>> wrong_ones;  // by subject
   for (const auto& [subject, operation, sentence] : wrong) {
-    if (!passes(campaign, subject, operation)) continue;
+    const Found found = found_of(campaign, subject, operation);
+    if (found == Found::unmeasured) remarks.push_back(sentence);
+    if (found != Found::right) continue;
     std::vector<std::string>& operations = wrong_ones[subject];
     if (operations.empty()) all.push_back({subject, sentence});
     if (std::ranges::find(operations, operation) == operations.end()) operations.push_back(operation);

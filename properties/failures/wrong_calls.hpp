@@ -15,8 +15,9 @@ struct WrongWhenProbed {
 };
 
 /// The wrong calls of operations that a law of the campaign measures and none finds wrong: of each subject the first one, and
-/// which others are wrong, too.
+/// which others are wrong, too. Adds the sentences on operations that no law of the campaign measures to `remarks`.
 std::vector<WrongCall> wrong_calls_beside(const CampaignResult& campaign,
-                                          const std::vector<WrongWhenProbed>& wrong);
+                                          const std::vector<WrongWhenProbed>& wrong,
+                                          std::vector<std::string>& remarks);
 
 }  // namespace liecheck::properties
