@@ -48,6 +48,7 @@ std::size_t size_of(const Layout& layout) {
 
 std::string number_name(const Part& part, std::size_t i) {
   if (part.size == 1) return std::string(part.name);
+  if (part.size == 4) return fmt::format("{}.{}", part.name, "xyzw"[i]);
   const std::size_t columns = part.size == 9 ? 3 : part.size == 36 || part.size == 42 ? 6 : 1;
   return columns == 1 ? fmt::format("{}[{}]", part.name, i)
                       : fmt::format("{}[{},{}]", part.name, i / columns, i % columns);

@@ -39,7 +39,7 @@ enum class Kind {
 Kind kind_of(const Layout& layout);
 std::size_t size_of(const Layout& layout);
 
-/// The name of a number of a part: "p[2]", "R[0,1]", or the part's own name if it has one number.
+/// The name of a number of a part: "p[2]", "R[0,1]", "Q.w", or the part's own name if it has one number.
 std::string number_name(const Part& part, std::size_t i);
 
 /// The number of all arguments.

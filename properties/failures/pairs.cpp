@@ -122,7 +122,7 @@ std::vector<NumberPair> pairs_of_pose(const Output& output, const NotedCall& cal
         [](std::size_t) { return std::string("|Q|^2"); }, false);
   } else {
     add_part(
-        all, got, quaternion_of(exact), [](std::size_t i) { return fmt::format("Q[{}]", i); }, true);
+        all, got, quaternion_of(exact), [](std::size_t i) { return fmt::format("Q.{}", "xyzw"[i]); }, true);
   }
   return all;
 }

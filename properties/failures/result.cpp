@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <adapters/adapter.hpp>
+#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <campaign/series.hpp>
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
+#include <operations/quaternion_poses.hpp>
 #include <operations/trees.hpp>
 #include <oracles/number.hpp>
 #include <oracles/orientations.hpp>
@@ -254,6 +257,67 @@ std::string turned_text(const Series& series, const Output& output, const NotedC
                      numbers_text(series, call->result), wrong, numbers_text(series, right));
 }
 
+/// The order in which a subject is given the numbers of a call, and what its arguments are in it.
+struct OwnOrder {
+  conventions::Order order;
+  std::vector<std::pair<Layout, std::string>> arguments;  ///< with " (x, y, z, w)", or ""
+};
+
+/// " (rho, phi)": the parts of an argument, whose numbers have these places among the subject's; "" of a vector, and of a
+/// matrix by rows.
+std::string parts_text(const Layout& layout, std::span<const int> places) {
+  std::vector<std::pair<int, std::string>> all;
+  std::size_t at = 0;
+  bool by_columns = false;
+  for (const Part& part : layout.parts) {
+    const bool columns = part.size == 9 && std::abs(places[at + 1]) != std::abs(places[at]) + 1;
+    by_columns = by_columns || columns;
+    if (part.size == 4)
+      for (std::size_t i = 0; i < 4; ++i)
+        all.emplace_back(std::abs(places[at + i]), std::string(1, "xyzw"[i]));
+    else
+      all.emplace_back(std::abs(places[at]), part.size == 2 && part.unit == "1" ? "cos, sin"
+                                             : columns ? fmt::format("{} by columns", part.name)
+                                                       : std::string(part.name));
+    at += static_cast<std::size_t>(part.size);
+  }
+  if (all.size() == 1 && !by_columns) return "";
+  std::ranges::sort(all);
+  std::vector<std::string> names;
+  for (auto& [place, name] : all) names.push_back(std::move(name));
+  return fmt::format(" ({})", fmt::join(names, ", "));
+}
+
+/// Throws std::logic_error if the model of a robot determines the size of an argument.
+OwnOrder own_order(const NotedCall& call, const conventions::Statements& stated) {
+  const bool in_quaternions = conventions::has_quaternion_poses(stated);
+  OwnOrder own{conventions::rearranged(*call.operation, stated).arguments, {}};
+  std::span<const int> left(own.order);
+  for (const Layout* l : call.operation->arguments) {
+    const Layout layout = in_quaternions ? with_quaternion(*l) : *l;
+    own.arguments.emplace_back(layout, parts_text(layout, left));
+    left = left.subspan(conventions::size_of(layout));
+  }
+  return own;
+}
+
+/// A number of a matrix by its place in the subject's own order. Those of other results have a name that is theirs in any order.
+NumberPair in_own_order(const Series& series, std::string_view operation, NumberPair p) {
+  const adapters::Description* const d = adapters::description_of(series.adapter);
+  const auto at = std::ranges::find(all_operations(), operation, &Operation::name);
+  if (!d || d->conventions.empty() || at == all_operations().end()) return p;
+  const Part& part = (*at)->results[0]->parts[0];
+  if ((*at)->results[0]->parts.size() > 1 || (part.size != 9 && part.size != 36)) return p;
+  const conventions::Order order = conventions::rearranged(**at, d->conventions).result;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (conventions::number_name(part, i) != p.name) continue;
+    p.name = conventions::number_name(part, static_cast<std::size_t>(std::abs(order[i]) - 1));
+    if (order[i] < 0) p.got = -p.got, p.exact = -p.exact;
+    break;
+  }
+  return p;
+}
+
 }  // namespace
 
 Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
@@ -275,7 +339,7 @@ std::string worst_number_text(const Series& series, const Output& output, const 
   if (const std::string rotation = turned_text(series, output, noted); !rotation.empty()) return rotation;
   const auto [operation, pairs] = compared(output, noted);
   if (pairs.empty()) return "";
-  const NumberPair& p = pairs.front();
+  const NumberPair p = in_own_order(series, operation, pairs.front());
   const std::string got = std::isfinite(p.got) ? decimal_float(p.got, series.format())
                           : std::isnan(p.got)  ? "NaN"
                           : p.got > 0          ? "inf"
@@ -290,13 +354,20 @@ std::string worst_number_text(const Series& series, const Output& output, const 
 }
 
 std::string called_with(const Series& series, const NotedCall& call) try {
-  const std::vector<GivenArgument> given = given_arguments(series, call);
-  if (given.empty() || call.arguments.size() > most_inputs) return "";
+  if (call.arguments.size() > most_inputs) return "";
+  const adapters::Description* const d = adapters::description_of(series.adapter);
+  const OwnOrder own = own_order(call, d ? d->conventions : conventions::Statements{});
+  std::vector<double> numbers = given_numbers(series, call);
+  if (numbers.size() != own.order.size()) return "";
+  conventions::encode(own.order, given_numbers(series, call).data(), numbers.data());
   std::vector<std::string> all;
-  for (const GivenArgument& a : given)
-    all.push_back(fmt::format(
-        "{} = {}", a.layout.name,
-        a.layout.name == "order" ? order_text(a.numbers.at(0)) : numbers_text(series, a.numbers)));
+  auto from = numbers.begin();
+  for (const auto& [layout, names] : own.arguments) {
+    const auto to = from + static_cast<std::ptrdiff_t>(conventions::size_of(layout));
+    all.push_back(fmt::format("{}{} = {}", layout.name, names,
+                              layout.name == "order" ? order_text(*from) : numbers_text(series, {from, to})));
+    from = to;
+  }
   return fmt::format("{}({})", call.operation->name, fmt::join(all, "; "));
 } catch (const std::logic_error&) {  // an argument whose size the model of a robot determines
   return "";

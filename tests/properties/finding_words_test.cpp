@@ -41,7 +41,7 @@ TEST(FindingWords, ARateIsNoRotationAndHasItsSign) {
   };
   const auto all = findings_under_careful(s, {"coefficient_rates"});
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(says(all[0], "            Q_dot[")) << all[0];
+  EXPECT_TRUE(says(all[0], "            Q_dot.")) << all[0];
   EXPECT_FALSE(says(all[0], "and -0 is right") || says(all[0], "is 0, and 0 is right")) << all[0];
 }
 

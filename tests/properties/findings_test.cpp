@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <regex>
 #include "../scratch.hpp"
 #include "../shell.hpp"
@@ -54,16 +55,40 @@ TEST(Findings, ACauseThatIsRightIsNotBlamed) {
   ASSERT_FALSE(all.empty());
   EXPECT_TRUE(all[0].first.starts_with("log3_matrix (rotation vector): all 15.7 digits lost"))
       << all[0].first;
-  EXPECT_NE(all[0].second.find("   so       log6 fails in the same way\n"), std::string::npos) << all[0].second;
+  EXPECT_NE(all[0].second.find("   so       log6 fails in the same way\n"), std::string::npos)
+      << all[0].second;
   for (const auto& [first, below] : all)
     if (first.starts_with("log3_quaternion")) EXPECT_EQ(below.find("log6"), std::string::npos) << below;
 }
 
 TEST(Findings, TheExampleIsOneThatAPersonWouldWrite) {
   const std::string text = campaign("--subject textbook --property exp_oracle --scalar double", 1);
-  EXPECT_NE(text.find("   example  exp6(xi = 1, 2, 3, 3e-07, 0, 0)\n            p[1] is 1.99999955"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find("   example  exp6(xi (rho, phi) = 1, 2, 3, 3e-07, 0, 0)\n            p[1] is 1.99999955"),
+      std::string::npos)
       << text;
+}
+
+TEST(Findings, TheExampleHasTheOrderThatTheAdapterStates) {
+  auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(program.find(from), program.npos) << from;
+    program.replace(program.find(from), from.size(), to);
+  };
+  replace("FUNCTIONS = {", R"(
+def log3_quaternion(Q):
+    theta = 2 * np.arccos(np.clip(Q[0], -1, 1))
+    return Q[1:] * (theta / np.sin(theta / 2) if theta > 0 else 2)
+
+
+FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)}
+OTHERS = {)");
+  replace(R"("source": source})", R"("conventions": {"quaternion": "wxyz"}})");
+  const std::string file = liecheck::scratch() + "w_first.py";
+  std::ofstream(file) << program;
+  const std::string text =
+      campaign("--property log_oracle --scalar double --adapter '/usr/bin/python3 " + file + "'", 1);
+  EXPECT_NE(text.find("   example  log3_quaternion(Q (w, x, y, z) = -0.99"), std::string::npos) << text;
 }
 
 TEST(Findings, APassHasThreeLines) {

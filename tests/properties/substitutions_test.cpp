@@ -52,7 +52,7 @@ TEST(Substitutions, ANumberOfTheOppositeSign) {
   const auto calls =
       calls_of(op::exp3_quaternion, numbers(3), [](const auto&, auto& result) { result[1] = -result[1]; });
   EXPECT_EQ(substitution_of(op::exp3_quaternion, calls),
-            "where it fails, the result is right but for Q[1], which is of the opposite sign");
+            "where it fails, the result is right but for Q.y, which is of the opposite sign");
 }
 
 TEST(Substitutions, AResultInFloat) {
