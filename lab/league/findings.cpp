@@ -297,7 +297,8 @@ std::string finding(const json& record, const json& library, const json& cell, c
     all += " It also fails " + where_it_fails(*other) + ".";
   all += fmt::format("\n\n## Program\n\n{}\nRun as `{}`, it prints what the library does:\n\n{}\n",
                      markdown_block(program), commands(library, file).second, markdown_block(output));
-  all += fmt::format("## Input, expected and returned\n\n{}\n", markdown_block(shown_case(text)));
+  all += fmt::format("## Input, expected and returned\n\n{}\n",
+                     markdown_block(printable_lines(shown_case(text))));
   all += fmt::format(
       "Where the expected numbers come from: {}. A case in which two sources do not agree to 41 digits is "
       "*unresolved* and no finding.\n\n",

@@ -1,6 +1,21 @@
 #include <adapters/adapter.hpp>
 
+#include <fmt/format.h>
+#include <support/text.hpp>
+#include <tuple>
+
 namespace liecheck::properties::adapters {
+
+std::string changed(const Description& earlier, const Description& now) {
+  for (const auto& [what, was, is] :
+       {std::tuple("name", &earlier.name, &now.name), {"version", &earlier.version, &now.version}})
+    if (*was != *is)
+      return fmt::format("its {} was '{}' and is '{}' now", what, printable(*was), printable(*is));
+  for (const auto& [operation, scalar] : earlier.offered)
+    if (!now.offered.contains({operation, scalar}))
+      return fmt::format("it offered {} in {} and does not now", operation, scalar);
+  return earlier.conventions == now.conventions ? "" : "the conventions that it states are others now";
+}
 
 std::string in_words(Status status, const std::string& why) {
   switch (status) {

@@ -38,6 +38,10 @@ struct Description {
   std::set<std::string> refused_references = {};  ///< found by asking; they are not among its references
 };
 
+/// "its name was x and is y now": how an adapter that was started again describes itself otherwise; or "". Operations may have
+/// been withheld from the earlier description.
+std::string changed(const Description& earlier, const Description& now);
+
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared
 /// library is called, and hold for all inputs of the call; `not_repeatable` for its first, in place of an earlier one.
 enum class Status : unsigned char {
@@ -49,7 +53,7 @@ enum class Status : unsigned char {
   printed,
   not_repeatable,
   other_choice,  ///< of one input: its result breaks a choice that the adapter states
-  failed  ///< what call() returns says how
+  failed         ///< what call() returns says how
 };
 
 /// What a status that is not `done` says; `why` is what the call returned.

@@ -132,8 +132,11 @@ class Process : public Adapter {
     const std::string hello = std::string(greeting) + "\n";
     child_->write(hello.data(), hello.size());
     child_->tell("waiting for an adapter to describe itself");
-    description_ = described(child_->line("its description"));
+    Description now = described(child_->line("its description"));
     child_->tell("");
+    if (const std::string how = description_.name.empty() ? "" : changed(description_, now); !how.empty())
+      throw AdapterFailed("the adapter was started again and describes itself otherwise: " + how);
+    description_ = std::move(now);
   }
 
  private:

@@ -45,7 +45,8 @@ struct Source {
   int number = 0;
   std::shared_ptr<Adapter> in_process;  ///< or null: a process for each thread
   Description description = {};
-  unsigned changes = 0;  ///< how often exchange_adapter() put another one in its place
+  unsigned changes = 0;       ///< how often exchange_adapter() put another one in its place
+  std::string own_name = {};  ///< which it gives itself
 };
 
 std::array<std::optional<Source>, most_adapters> sources;
@@ -59,8 +60,15 @@ Adapter& adapter(int number) {
   thread_local std::array<Own, most_adapters> all;
   Own& own = all[static_cast<std::size_t>(number)];
   const Source& source = *sources[static_cast<std::size_t>(number)];
-  if (!own.adapter || own.changes != source.changes)
+  if (!own.adapter || own.changes != source.changes) {
     own = {source.in_process ? source.in_process : start(source.text), source.changes};
+    Description earlier = source.description;
+    earlier.name = source.own_name;
+    if (const std::string how = changed(earlier, own.adapter->description()); !how.empty()) {
+      own = {};
+      throw AdapterFailed("the adapter was started again and describes itself otherwise: " + how);
+    }
+  }
   return *own.adapter;
 }
 
@@ -189,7 +197,7 @@ std::string register_as(const std::string& text, const std::string& name, bool i
   Description d;
   try {
     const std::shared_ptr<Adapter> first = start_first();
-    d = first->description();
+    d = first->description(), source.own_name = d.name;
     if (!name.empty()) d.name = name;
     ask_for_kinds(*first, d.taken);
     const std::set<std::string> references = references_taken(*first);

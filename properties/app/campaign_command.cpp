@@ -92,7 +92,7 @@ void print_series(const Series& series, const Tally& tally) {
     // The score of an unresolved case is infinite. Then the largest measured error is printed instead.
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst = std::max(worst, (row.worst_score < infinity ? row.worst_score : measured) / b.limit);
-    if (row.failed && row.worst_score == infinity && outcome.empty()) outcome = worst_outcome(row);
+    if (row.failed && row.worst_score == infinity && outcome.empty()) outcome = worst_outcome(row, true);
     failed = failed || fails(series, cell, row);
     expected = expected || row.failed > 0;
   }
@@ -323,7 +323,7 @@ int run(const CampaignFlags& f) {
   const auto hard_cases = replay_hard_cases(f, selection, robot);
   if (stop_requested)
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
-  auto done = run_stored_campaign(selection, robot, f.cases, f.store);
+  auto done = run_stored_campaign(selection, robot, f.cases, f.store, beside_of(differ.probed, hard_cases));
   if (!done) return within_budget;
   done->result.wrong_calls = wrong_calls_beside(done->result, differ.wrong, differ.outside);
   if (!without_trees(f).empty() || !differ.conventions.empty()) done->result.measured = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/digest.hpp>
 #include <cstdlib>
 #include <record/record.hpp>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include <store/ranks.hpp>
 #include <store/store_path.hpp>
 #include <support/say.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -117,10 +119,26 @@ void StoreFlags::check(bool timed) const {
   if (!store.empty() && !rank_of_mpirun()) Store(store, Store::Open::create);
 }
 
+BesideCases beside_of(const std::vector<ProbedOperation>& probed, const std::vector<HardRow>& hard_cases) {
+  BesideCases all{probed};
+  if (hard_cases.empty() || stop_requested) return all;
+  std::string corpus;
+  for (const HardRow& row : hard_cases) {
+    corpus += row.entry->name + "|" + row.entry->input + "\n";
+    for (const HardCell& c : row.cells)
+      if (c.failed)
+        all.failed.push_back(
+            {c.subject, c.scalar, row.entry->name, c.operation, c.block, name_of(c.verdict)});
+  }
+  all.corpus = hexadecimal(sha256(corpus)).substr(0, 16);
+  return all;
+}
+
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
-                                             const CaseFlags& cases, const StoreFlags& f) {
+                                             const CaseFlags& cases, const StoreFlags& f,
+                                             const BesideCases& beside) {
   CampaignOptions o = cases.options;
-  o.selection = selection;
+  o.selection = selection, o.beside = beside;
   if (!f.shard.empty()) parse_shard(f.shard, o);
   const Ranks ranks;
   if (ranks.size() > 1) {

@@ -32,9 +32,13 @@ struct StoreFlags {
   void check(bool timed) const;
 };
 
+/// What a store keeps of the probe of adapters and of the hard cases.
+BesideCases beside_of(const std::vector<ProbedOperation>& probed, const std::vector<HardRow>& hard_cases);
+
 /// Runs a campaign into its store. Under mpirun, all ranks take part and only the first returns a result.
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
-                                             const CaseFlags& cases, const StoreFlags& store);
+                                             const CaseFlags& cases, const StoreFlags& store,
+                                             const BesideCases& beside = {});
 
 /// Prints the section on counterexamples of earlier runs, each if `all`.
 void print_counterexamples(const Counterexamples& counterexamples, bool all);

@@ -100,11 +100,19 @@ void withhold(const std::string& text, bool quiet, Differences& all) try {
   std::vector<std::string> unexplained, withheld;
   std::optional<Steps> probed(std::in_place, "probing " + text);
   const auto adapter = adapters::start(text);
+  if (const auto* d = adapters::description_of(text))
+    if (const std::string how = adapters::changed(*d, adapter->description()); !how.empty())
+      throw std::invalid_argument(fmt::format(
+          "--adapter: '{}' was started twice and describes itself otherwise: {}", printable(text), how));
   const adapters::Checked checked = adapters::check(*adapter);
   probed.reset();
   for (const conventions::Finding& found : checked.findings) {
+    const bool wrong = !found.named && !found.choice && found.operations.size() == 1;
     if (found.named) withheld.insert(withheld.end(), found.operations.begin(), found.operations.end());
-    if (!found.named && !found.choice && found.operations.size() == 1)
+    if (found.named || wrong)
+      for (const std::string& o : found.operations)
+        all.probed.push_back({adapter->description().name, o, found.sentence, wrong});
+    if (wrong)
       all.wrong.push_back({adapter->description().name, found.operations.front(), found.sentence});
     else if (!found.usual)
       (found.named ? all.conventions : found.choice ? all.choices : unexplained).push_back(found.sentence);

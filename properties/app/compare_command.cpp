@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <app/command.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,18 +24,23 @@ struct CompareFlags {
   bool rules = false, strict = false;
 };
 
-/// Prints on stderr if a store lacks cases of its campaign or verdicts on them, because then the comparison
-/// is partial, too. Returns whether it is incomplete; a shard is a whole part.
-bool print_if_partial(const std::string& name, const StoredCampaign& c) {
-  const std::string open = c.not_measured();
-  if (!open.empty()) warn(fmt::format("liecheck: {}: {}\n", name, open));
-  const bool unfinished = c.spec.cases > 0 && !c.complete();
-  if (unfinished)
-    warn(fmt::format("liecheck: {}: unfinished\n", name));
+/// Why a comparison with a store is incomplete: it lacks cases of its campaign or verdicts on them. A shard is a whole part.
+void add_what_is_open(const std::string& name, const StoredCampaign& c, std::vector<std::string>& open) {
+  if (const std::string lacks = c.not_measured(); !lacks.empty())
+    open.push_back(fmt::format("{}: {}", name, lacks));
+  if (c.spec.cases > 0 && !c.complete())
+    open.push_back(fmt::format("{} is unfinished", name));
   else if (c.spec.cases > 0 && c.spec.last - c.spec.first < c.spec.cases)
     warn(fmt::format("liecheck: {}: a shard, cases {} to {} of {} in each series\n", name, c.spec.first,
                      c.spec.last - 1, c.spec.cases));
-  return unfinished || !open.empty();
+}
+
+/// "mylib 1.0, other 2.0".
+std::string subjects_of(const StoredCampaign& c) {
+  std::vector<std::string> all;
+  for (const StoredSeries& s : c.series)
+    if (std::ranges::find(all, s.subject) == all.end()) all.push_back(s.subject);
+  return all.empty() ? "no subject" : fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// Prints what differs between two versions of the rules.
@@ -81,27 +88,31 @@ int run(const CompareFlags& f) {
   std::optional<TimeChanges> times;  // they never decide the verdict: a busy machine is no fault of the code
   if (!f.cost.empty()) times = time_changes(f.cost[0], f.cost[1]);
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
-  bool partial = print_if_partial(f.before, a);
-  partial = print_if_partial(f.after, b) || partial;
+  std::vector<std::string> open;
+  add_what_is_open(f.before, a, open), add_what_is_open(f.after, b, open);
   const std::size_t cells = cells_in_both(a, b);
-  if (cells == 0) {
-    warn(fmt::format("liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after));
-    partial = true;
-  }
+  if (cells == 0)
+    open.push_back(fmt::format("{} ({}) and {} ({}) have no cell with a verdict in common", f.before,
+                               subjects_of(a), f.after, subjects_of(b)));
   const Comparison all = compared(a, b, f.strict);
-  const bool failed = !all.worse.empty();
+  for (const std::string& sentence : all.unjudged)
+    open.push_back(fmt::format("not judged in {}: {}", f.after, sentence));
+  const bool failed = cells > 0 && !all.worse.empty(), partial = !open.empty();
   if (!f.markdown.empty())
-    write_whole(f.markdown, in_markdown(all, {cells, f.picture, times ? &*times : nullptr}));
+    write_whole(f.markdown, in_markdown(all, {cells, f.picture, times ? &*times : nullptr, open}));
   if (!f.picture.empty()) write_whole(f.picture, picture_of(all, a, b));
   if (!f.json.empty())
     write_record(f.json, {{"verdict", verdict_of(!partial || failed, !failed)},
                           {"compared_cells", cells},
+                          {"open", open},
+                          {"no_longer_measured", all.lost},
+                          {"first_measured", all.gained},
                           {"worse", record_of(all.worse)},
                           {"better", record_of(all.better)},
                           {"other", record_of(all.other)}});
-  print_changes(all.worse);
+  if (cells > 0) print_changes(all.worse);
   if (times) say("{}", text_of(*times));
-  say("{}{}\n", summary_of(all), all.other.empty() ? "" : " (--markdown and --json list them)");
+  say("{}{}\n", summary_of(all, cells, open), all.other.empty() ? "" : " (--markdown and --json list them)");
   return failed ? property_failed : partial ? incomplete : within_budget;
 }
 

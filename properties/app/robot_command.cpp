@@ -2,6 +2,7 @@
 #include <app/command.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <support/say.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -28,12 +29,12 @@ int run(const RobotChecksFlags& f) {
   const auto [model, warnings] = loadUrdf(f.file, options_of(f));
   double mass = 0;
   for (const auto& body : model.inertias) mass += body.mass();
-  say("{}: nq {}, nv {}, {} joints including the universe, {} frames, {:.6g} kg\n", model.name, model.nq,
-      model.nv, model.njoints, model.nframes, mass);
+  say("{}: nq {}, nv {}, {} joints including the universe, {} frames, {:.6g} kg\n", printable(model.name),
+      model.nq, model.nv, model.njoints, model.nframes, mass);
   say("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", "joint", "parent", "idx_q", "idx_v", "type", "name");
   for (std::size_t i = 1; i < model.joints.size(); ++i)
     say("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", i, model.parents[i], model.idx_qs[i], model.idx_vs[i],
-        shortname<double>(model.joints[i]), model.names[i]);
+        shortname<double>(model.joints[i]), printable(model.names[i]));
   print_warnings(warnings);
   return within_budget;
 }

@@ -7,6 +7,7 @@
 #include <campaign/long_sums.hpp>
 #include <campaign/series.hpp>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <support/threads.hpp>
+#include <thread>
 
 namespace liecheck::properties {
 
@@ -77,7 +79,16 @@ class Engine {
   }
 
   void run() {
-    run_on_threads(o_.jobs, stop_requested, [this] { work(); });
+    {
+      // A chunk of an adapter that hangs takes minutes.
+      const std::jthread shows([this](const std::stop_token& end) {
+        std::unique_lock lock(mutex_);
+        while (
+            !ended_.wait_for(lock, end, std::chrono::milliseconds(500), [&] { return end.stop_requested(); }))
+          show(false);
+      });
+      run_on_threads(o_.jobs, stop_requested, [this] { work(); });
+    }
     if (error_) std::rethrow_exception(error_);
     save();
     show(true);
@@ -195,6 +206,7 @@ class Engine {
   Progress progress_;
   const std::uint64_t first_chunk_;  ///< a case of a large robot may take minutes
   std::mutex mutex_;
+  std::condition_variable_any ended_;  ///< of the campaign
   std::vector<Queue> queues_;
   std::size_t next_ = 0;
   std::uint64_t done_ = 0, round_size_;

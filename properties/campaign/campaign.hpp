@@ -1,6 +1,7 @@
 #pragma once
 // A campaign runs every selected series over a range of cases, on several threads.
 
+#include <campaign/beside_cases.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <map>
@@ -19,6 +20,7 @@ struct CampaignOptions {
   double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about this much time
   bool quiet = false;
   bool every_kappa = false;  ///< Series::every_kappa
+  BesideCases beside = {};   ///< what was found before the first case
 
   std::optional<Range> range_override;  ///< replaces the shard's range
 

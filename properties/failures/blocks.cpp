@@ -11,10 +11,14 @@
 
 namespace liecheck::properties {
 
+namespace {
+constexpr std::string_view not_finite = "NaN or Inf";
+}  // namespace
+
 std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
   std::vector<std::pair<std::uint64_t, const char*>> all{
       {r.crashed, "crashed"},
-      {r.not_finite, "NaN or Inf"},
+      {r.not_finite, not_finite.data()},
       {r.wrong_branch, "wrong branch"},
       {r.refused, "refused"},
       {r.not_repeatable, "not repeatable"},
@@ -26,12 +30,12 @@ std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
   return all;
 }
 
-namespace {
-
 double score_of(const BandOf& b) {
   const Budget& budget = b.series->budget(b.output, b.series->bands()[b.band].region);
   return budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
 }
+
+namespace {
 
 /// Whether a band has angles that are neither small nor near pi.
 bool is_moderate(const Band& b) {
@@ -41,7 +45,8 @@ bool is_moderate(const Band& b) {
 /// Larger is worse: the kind of outcome, then the error, or the share of the cases with an outcome.
 std::pair<int, double> badness(const BandOf& b) {
   const Row& r = *b.row;
-  const int kind = r.crashed ? 5 : r.not_finite ? 4 : r.wrong_branch ? 3 : outcomes(r).empty() ? 0 : 2;
+  const std::string outcome = worst_outcome(r);
+  const int kind = r.crashed ? 5 : outcome == not_finite ? 4 : r.wrong_branch ? 3 : outcome.empty() ? 0 : 2;
   return {kind, kind > 0 ? static_cast<double>(r.failed) / static_cast<double>(r.inside()) : score_of(b)};
 }
 
@@ -118,9 +123,10 @@ std::string outcomes_of(const Row& row) {
   return text;
 }
 
-std::string worst_outcome(const Row& row) {
-  const auto all = outcomes(row);
-  return all.empty() ? "" : all.front().second;
+std::string worst_outcome(const Row& row, bool even_if_rare) {
+  for (const auto& [n, name] : outcomes(row))
+    if (even_if_rare || name != not_finite || 4 * n >= 3 * row.failed) return name;
+  return "";
 }
 
 void find_worst(FailedBlock& f) {
@@ -177,8 +183,11 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
 
 std::string what_of(const FailedBlock& f) {
   if (std::string outcome = worst_outcome(*f.worst->row); !outcome.empty()) return outcome;
-  const std::string lost = digits_lost(f.score, f.worst->series->eps);
-  return lost.empty() ? fmt::format("{:.3g} eps", f.score) : lost;
+  std::string lost = digits_lost(f.score, f.worst->series->eps);
+  if (lost.empty()) lost = fmt::format("{:.3g} eps", f.score);
+  if (const Row& row = *f.worst->row; row.not_finite > 0)
+    lost += fmt::format(", {} in {} of {} failures", not_finite, row.not_finite, row.failed);
+  return lost;
 }
 
 std::string where_of(const FailedBlock& f) {

@@ -39,11 +39,15 @@ void find_worst(FailedBlock& block);
 /// The outcomes of a row without an error in eps, with their numbers of cases, worst first.
 std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& row);
 
+/// The error or excess of a band by the rule of its limit, of the cases that have one.
+double score_of(const BandOf& band);
+
 /// How many cases of a row had which outcome without an error in eps, worst first; "" if none had.
 std::string outcomes_of(const Row& row);
 
-/// The worst outcome of a row without an error in eps; "" if there is none.
-std::string worst_outcome(const Row& row);
+/// The worst outcome of a row without an error in eps; "" if there is none. NaN or Inf counts only where it is three quarters of
+/// the failures, unless `even_if_rare`: the others have an error, by which most readers will meet the fault.
+std::string worst_outcome(const Row& row, bool even_if_rare = false);
 
 /// What happened: "NaN or Inf" or "7.4 of 15.7 digits lost".
 std::string what_of(const FailedBlock& failed);

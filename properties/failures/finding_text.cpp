@@ -37,8 +37,8 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
     if (!b.fails || b.series != f.worst->series || b.output != f.worst->output) continue;
     const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
     const bool ordinary = is_ordinary(b.series->bands()[b.band]);
-    all.push_back(
-        {share + (ordinary ? 4 : 0) + (2 * loss(b) >= most ? 2 : 0), {b.band, b.row->worst_score, ordinary}});
+    const double score = worst_outcome(*b.row).empty() ? score_of(b) : b.row->worst_score;
+    all.push_back({share + (ordinary ? 4 : 0) + (2 * loss(b) >= most ? 2 : 0), {b.band, score, ordinary}});
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.first; });
   std::vector<BandOfFailure> bands;
@@ -52,7 +52,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   const Series& series = *w.series;
   const auto output = static_cast<int>(w.output);
   const CaseId worst = series.id(campaign.options.seed, w.row->worst_index);
-  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f));
+  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f),
+                                          worst_outcome(*w.row).empty() && w.row->not_finite > 0);
   if (!s) s = shrink(series, worst, output, 500);
   std::string text;
   const bool steady = s->reproduced && worst_outcome(*w.row) != std::string("not repeatable");

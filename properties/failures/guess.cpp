@@ -9,6 +9,7 @@
 #include <failures/blocks.hpp>
 #include <failures/calls.hpp>
 #include <failures/shapes.hpp>
+#include <failures/single_numbers.hpp>
 #include <failures/tree_substitutions.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
@@ -274,7 +275,8 @@ std::string guess_of(const FailedBlock& f) {
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
     if (other.empty()) other = of_calls(float_of);
-    if (other.empty()) other = of_calls(substitution_of);
+    for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
+      if (other.empty()) other = of_calls(cause);
     // Most inputs of Euler angles are near gimbal lock, not moderate.
     return m.wrong * 3 <= m.all || !other.empty() || operation_of(f).starts_with("euler_from") ||
                    f.worst->series->on_robot || is_tree_law(f.worst->series->property)
@@ -287,12 +289,14 @@ std::string guess_of(const FailedBlock& f) {
   const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
   std::vector<std::string> guesses{of_branch_near_pi(f), near_pi_first ? near_pi : small,
                                    near_pi_first ? small : near_pi, of_underflow(f)};
-  guesses.insert(f.worst->row->not_finite > 0 ? guesses.begin() : guesses.end(), of_not_finite(f));
+  guesses.insert(worst_outcome(*f.worst->row).starts_with("NaN") ? guesses.begin() : guesses.end(),
+                 of_not_finite(f));
   std::string all;
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  for (const auto cause : {float_of, substitution_of})
+  for (const auto cause :
+       {float_of, substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;

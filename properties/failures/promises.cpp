@@ -63,7 +63,7 @@ Promises::Promises(const CampaignResult& campaign) : campaign_(campaign) {
       const Rule rule = series->budget(output, series->bands()[band].region).rule;
       b.largest = std::max(b.largest, rule == Rule::forward ? row.max_error : row.max_excess);
       b.quantile = std::max(b.quantile, cliff_figure(row, rule)), b.cases += row.judged();
-      if (b.outcome.empty()) b.outcome = worst_outcome(row);
+      if (b.outcome.empty()) b.outcome = worst_outcome(row, true);
     }
   find_cliffs();
 }

@@ -153,7 +153,7 @@ bool is_rotation(const Place& p) {
 double apart(std::span<const double> a, std::span<const double> b, double sign = 1) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i] != sign * b[i]) sum = std::hypot(sum, a[i] - sign * b[i]);  // both may be infinite
+    if (a[i] != sign * b[i]) sum = std::hypot(sum, a[i] - sign * b[i]);
   return sum;
 }
 double distance(const Place& at, const Numbers& a, const Numbers& b) {
@@ -195,6 +195,7 @@ class Wrong {
   Wrong(const Operation& operation, const std::vector<JudgedCall>& calls, double least)
       : results_(results_of(operation)) {
     for (const JudgedCall& c : calls) {
+      if (!std::ranges::all_of(c.call.result, [](double x) { return std::isfinite(x); })) continue;
       std::vector<Place> wrong;
       for (const Place& p : results_) {
         const double scale = size_of_part(p, c.right);
@@ -238,8 +239,11 @@ class Wrong {
     const Numbers& got = calls_[i]->call.result;
     const Numbers alternative = other(*calls_[i]);
     if (alternative.size() != got.size()) return false;
+    const Numbers& right = calls_[i]->right;
     return std::ranges::all_of(parts_[i], [&](const Place& p) {
-      return distance(p, got, alternative) < 0.01 * distance(p, got, calls_[i]->right);
+      for (std::size_t k = p.from; k < p.from + p.size; ++k)  // what is said to be 0 is no small number
+        if (alternative[k] == 0 && std::fabs(got[k]) > 1e-14 * std::fabs(right[k])) return false;
+      return distance(p, got, alternative) < 0.01 * distance(p, got, right);
     });
   } catch (const std::exception&) {  // these arguments are none of the operation
     return false;
@@ -308,23 +312,27 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
 std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   const std::vector<Place> places = places_of_arguments(operation);
   Wrong wrong(operation, calls, 1e-10);
-  if (wrong.count() < 4) return "";
   wrong.of_all = false;  // some may be wrong for another reason
+  if (wrong.count() < 4) return "";
   const auto rounded = [](Numbers x) {
-    for (double& v : x)
-      if (const double rounded = oracles::rounded_to_float(v); rounded != 0) v = rounded;
+    for (double& v : x) v = oracles::rounded_to_float(v) != 0 ? oracles::rounded_to_float(v) : v;
     return x;
   };
   if (wrong.given_by([&](const JudgedCall& c) { return rounded(c.right); }))
     return fmt::format("where it fails, {} is rounded to float", wrong.subject());
+  const auto given_by_rounded = [&](std::size_t from, std::size_t n) {
+    return wrong.given_by([&](const JudgedCall& c) {
+      Numbers x = c.call.arguments;
+      const Span part = Span(x).subspan(from, n);
+      std::ranges::copy(rounded(Numbers(part.begin(), part.end())), part.begin());
+      return in_blocks(operation, exact(operation.name.data(), x));
+    });
+  };
   for (const Place& at : places)
-    if (wrong.given_by([&](const JudgedCall& c) {
-          Numbers x = c.call.arguments;
-          std::ranges::copy(rounded(Numbers(at.in(x).begin(), at.in(x).end())), at.in(x).begin());
-          return in_blocks(operation, exact(operation.name.data(), x));
-        }))
-      return fmt::format("where it fails, {} is what {} rounded to float would give", wrong.subject(),
-                         name_of(at, places));
+    for (std::size_t i = 0; i <= at.size && (i == 0 || at.size <= 4); ++i)  // all numbers, and then each
+      if (i == 0 ? given_by_rounded(at.from, at.size) : given_by_rounded(at.from + i - 1, 1))
+        return fmt::format("where it fails, {} is what {} rounded to float would give", wrong.subject(),
+                           i == 0 ? name_of(at, places) : number_of(at, i - 1, places));
   return "";
 }
 
@@ -377,12 +385,14 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
 }  // namespace
 
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
-  Wrong wrong(operation, calls, 1e-6);
-  if (wrong.count() < 4) return "";
-  for (const bool of_all : {true, false}) {
-    wrong.of_all = of_all;
-    if (std::string text = change_of(operation, places_of_arguments(operation), wrong); !text.empty())
-      return text;
+  for (const double least : {1e-6, 1e-10}) {
+    Wrong wrong(operation, calls, least);
+    if (wrong.count() < 4) continue;
+    for (const bool of_all : {true, false}) {
+      wrong.of_all = of_all;
+      if (std::string text = change_of(operation, places_of_arguments(operation), wrong); !text.empty())
+        return text;
+    }
   }
   return "";
 }

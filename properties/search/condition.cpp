@@ -101,8 +101,9 @@ class ConditionSearch {
         for (const Candidate& part : candidates(i, inputs)) {
           Found next = with({}, part, inputs.size(), failed, 0);
           if (!holds_for_failures(next.counts)) continue;
-          if (next.score > of_feature.score) of_feature = next;
-          if (next.score > best.score && is_accepted(next)) best = next;
+          const bool little = trial_.names()[i].unit == " eps" && part.range.low < 16;
+          if (next.score > of_feature.score && !little) of_feature = next;
+          if (next.score > best.score && is_accepted(next) && !(little && in_bands_)) best = next;
         }
         if (!of_feature.parts.empty()) firsts.push_back(std::move(of_feature));
       }
@@ -122,8 +123,8 @@ class ConditionSearch {
 
   void add_second(const Found& first, const Found& alone, Found& best) const {
     const FeatureName& one = name(first.parts[0]);
-    const auto tells_little = [&](const FeatureRange& part) { return name(part).negated && part.low <= 0; };
-    // That an input lacks the feature tells little, too.
+    const auto tells_little = [&](const FeatureRange& p) { return name(p).negated && p.low <= 0; };
+    // That an input lacks the feature tells little, too, and so does what rounding leaves of a norm.
     const auto lack = [](std::size_t i) { return [i](const Tried& t) { return std::isnan(t[i]); }; };
     if (tells_little(first.parts[0]) || std::ranges::any_of(all_, lack(first.parts[0].feature))) return;
     std::vector<const Tried*> inputs;
@@ -136,7 +137,7 @@ class ConditionSearch {
       const bool kinds = one.written == other.written && !one.negated && !other.negated &&
                          one.written >= Written::flag && first.parts[0].high != above_zero;
       if (i == first.parts[0].feature || (same && !kinds) || other.of_several) continue;
-      if (std::ranges::any_of(all_, lack(i))) continue;
+      if (other.unit == " eps" || std::ranges::any_of(all_, lack(i))) continue;
       for (const Candidate& candidate : candidates(i, inputs)) {
         const FeatureRange& part = candidate.range;
         Found next =

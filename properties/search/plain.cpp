@@ -43,7 +43,10 @@ const Vectors vectors[] = {{{1, 2, 3}, {2, -1, 0.5}, {0.5, 3, -1}},
                            {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}},
                            {{1, 2, 3}, {1 + 1e-7, 2, 3}, {1, 0, 0}},
                            {{1000, 2000, 3000}, {2000, -1000, 500}, {500, 3000, -1000}},
-                           {{0, 0, 0}, {1, 2, 3}, {1, 0, 0}}};
+                           {{0, 0, 0}, {1, 2, 3}, {1, 0, 0}},
+                           // no floats
+                           {{0.1, 0.2, 0.3}, {0.4, -0.7, 0.6}, {-0.3, 0.8, 0.9}},
+                           {{123.4, -234.5, 345.6}, {345.6, 123.4, -234.5}, {234.5, 345.6, 123.4}}};
 
 /// One choice for each group: `turned` is the group with the angle, all others keep still, or all have it.
 Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angle, std::size_t axis,
@@ -97,12 +100,13 @@ Plain taken(const Series& series, Plain x) {
 }  // namespace
 
 std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, int output,
-                                    const std::vector<BandOfFailure>& bands) {
+                                    const std::vector<BandOfFailure>& bands, bool with_error) {
   const auto first = failure_of(series.measure_twice(series.numbers(worst)), output);
   if (!first || is_misuse(first->residual.outcome) || first->residual.outcome == Outcome::crashed)
     return std::nullopt;
+  const Outcome outcome = with_error ? Outcome::measured : first->residual.outcome;
   const auto as_bad = [&](const Judged& j) {
-    if (j.residual.outcome != first->residual.outcome) return false;
+    if (j.residual.outcome != outcome) return false;
     const auto band = std::ranges::find(bands, j.residual.band, &BandOfFailure::band);
     return band != bands.end() && (j.residual.outcome != Outcome::measured ||
                                    10 * score_of(series, j) >= std::min(band->score, 1 / series.eps));

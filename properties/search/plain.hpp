@@ -15,9 +15,9 @@ struct BandOfFailure {
 
 /// An input that fails with an outcome like `worst` in one of the bands, tried in their order: translations like (1, 2, 3),
 /// also two that are nearly equal, rotations about simple axes by a round angle, and their quaternions of both signs. None
-/// if no such input fails with a tenth of the error of the band's worst case.
+/// if no such input fails with a tenth of the error of the band's worst case. `with_error`: it has an error, whatever `worst` has.
 std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, int output,
-                                    const std::vector<BandOfFailure>& bands);
+                                    const std::vector<BandOfFailure>& bands, bool with_error = false);
 
 struct Crossing {
   double angle;    ///< [rad]

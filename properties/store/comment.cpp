@@ -66,10 +66,7 @@ class Comment {
 };
 
 std::string row_of(const Change& c) {
-  const std::string place =
-      c.name[3].empty() ? ""
-                        : fmt::format("`{}`, {}, {}", c.name[3], markdown(c.name[4]), markdown(c.name[5]));
-  return fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1], place, c.name[2],
+  return fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1], markdown(c.place()), c.name[2],
                      markdown(c.what));
 }
 
@@ -114,15 +111,22 @@ std::vector<Change> by_block(const std::vector<Change>& changes) {
       ++more[static_cast<std::size_t>(at - all.begin())];
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (more[i] > 0) all[i].name[5] += fmt::format(" and {} more", more[i]);
+    if (more[i] > 0 && !all[i].name[5].empty()) all[i].name[5] += fmt::format(" and {} more", more[i]);
   return all;
 }
 
-std::string summary_of(const Comparison& all) {
+std::string summary_of(const Comparison& all, std::size_t compared_cells,
+                       const std::vector<std::string>& open) {
   const auto verb = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", cells(n), n < 2 ? one : many);
   };
-  std::string text = verb(all.worse.size(), "is worse", "are worse");
+  std::string text;
+  for (const std::string& reason : open) text += fmt::format("incomplete: {}; ", reason);
+  if (compared_cells == 0) return text + "nothing was compared";
+  text += verb(all.worse.size(), "is worse", "are worse");
+  if (!all.lost.empty()) text += fmt::format(", no longer measured: {}", fmt::join(all.lost, ", "));
+  if (!all.gained.empty())
+    text += fmt::format(", measured for the first time: {}", fmt::join(all.gained, ", "));
   if (!all.better.empty()) text += ", " + verb(all.better.size(), "is better", "are better");
   if (!all.other.empty()) text += ", " + verb(all.other.size(), "differs by less", "differ by less");
   return text;
@@ -130,7 +134,7 @@ std::string summary_of(const Comparison& all) {
 
 std::string in_markdown(const Comparison& all, const CommentParts& parts) {
   Comment comment;
-  comment.line(fmt::format("### liecheck: {}\n\n", summary_of(all)));
+  comment.line(fmt::format("### liecheck: {}\n\n", markdown(summary_of(all, parts.cells, parts.open))));
   if (!parts.picture.empty())
     comment.line(fmt::format("![what got worse and better](<{}>)\n\n", parts.picture));
   comment.list(head_of("worse"), rows_of(all.worse), "\n", 0.6);

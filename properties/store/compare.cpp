@@ -100,6 +100,14 @@ struct Side {
       add_cliffs(s, t);
     }
   }
+  /// Whether it has a cell of this subject, scalar and operation; "" stands for any.
+  bool offers(const std::string& subject, const std::string& scalar, const std::string& operation) const {
+    return std::ranges::any_of(blocks, [&](const auto& one) {
+      const BlockName& b = one.first;
+      return b[0] == subject && (scalar.empty() || b[1] == scalar) &&
+             (operation.empty() || b[3] == operation);
+    });
+  }
   std::uint64_t failed_in(const Name& name) const {
     const auto at = blocks.find(block_of(name));
     return at == blocks.end() ? 0 : at->second.row.failed;
@@ -217,11 +225,52 @@ void add_disagreements(const Side& from, const Side& to, bool back, Differences&
   for (const StoredSeries& s : to.campaign.series) {
     const Name name{s.subject, s.scalar, s.property};
     const std::size_t was = before[name], is = s.tally.disagreed.size();
+    if (std::ranges::any_of(s.tally.rows, [](const auto& cell) { return cell.second.not_repeatable > 0; }))
+      continue;  // the two oracles were given different results
     if (is > was)
       all[name].push_back({before_after("cases in which the fast oracle disagrees with the slow one",
                                         fmt::format("{}", was), fmt::format("{}", is), back),
                            was == 0 ? Gravity::crossed : Gravity::by_little, 0});
   }
+}
+
+/// What was found beside the cases in `to` and not in `from`.
+void add_beside_cases(const Side& from, const Side& to, bool back, Differences& all) {
+  const BesideCases &was = from.campaign.spec.beside, &is = to.campaign.spec.beside;
+  constexpr double before_all_cells = 2;
+  for (const ProbedOperation& o : is.probed) {
+    const auto same = [&](const ProbedOperation& p) {
+      return p.subject == o.subject && p.operation == o.operation;
+    };
+    if (!from.offers(o.subject, "", o.operation) || std::ranges::any_of(was.probed, same)) continue;
+    all[{o.subject, "", "", o.operation}].push_back(
+        {before_after(o.judged ? "probe" : "judged", o.judged ? "right" : "yes",
+                      (o.judged ? "wrong: " : "no: ") + o.sentence, back),
+         Gravity::broken, before_all_cells});
+  }
+  if (was.corpus.empty() || was.corpus != is.corpus) return;
+  for (const FailedHardCase& f : is.failed) {
+    const auto same = [&](const FailedHardCase& h) {
+      return h.subject == f.subject && h.scalar == f.scalar && h.name == f.name && h.operation == f.operation;
+    };
+    if (from.offers(f.subject, f.scalar, "") && std::ranges::none_of(was.failed, same))
+      all[{f.subject, f.scalar, "", f.operation, f.block, "hard case " + f.name}].push_back(
+          {before_after("verdict", "passed", f.verdict, back), Gravity::crossed, 0});
+  }
+}
+
+/// What `from` measures and `to` does not, in words.
+std::vector<std::string> only_in(const Side& from, const Side& to) {
+  std::vector<std::string> all;
+  for (const auto& [block, pooled] : from.blocks) {
+    const auto& [subject, scalar, property, operation, name] = block;
+    const std::string what = !to.offers(subject, "", "")          ? subject
+                             : !to.offers(subject, scalar, "")    ? scalar
+                             : !to.offers(subject, "", operation) ? operation
+                                                                  : "";
+    if (!what.empty() && std::ranges::find(all, what) == all.end()) all.push_back(what);
+  }
+  return all;
 }
 
 /// Sorts the differences of each cell and the cells, the most important first.
@@ -267,10 +316,16 @@ std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
       std::ranges::count_if(judged(b), [&](const Name& name) { return before.contains(name); }));
 }
 
+std::string Change::place() const {
+  std::vector<std::string> all(name.begin() + 3, name.end());
+  std::erase(all, "");
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 std::string Change::text() const {
-  std::string cell = fmt::format("{} {} {}", name[0], name[1], name[2]);
-  if (!name[3].empty()) cell += fmt::format(": {}, {}, {}", name[3], name[4], name[5]);
-  return cell + ": " + what;
+  std::vector<std::string> all(name.begin(), name.begin() + 3);
+  std::erase(all, "");
+  return fmt::format("{}{}{}: {}", fmt::join(all, " "), name[3].empty() ? "" : ": ", place(), what);
 }
 
 Comparison compared(const StoredCampaign& a, const StoredCampaign& b, bool strict) {
@@ -285,13 +340,20 @@ Comparison compared(const StoredCampaign& a, const StoredCampaign& b, bool stric
     const Side &from = back ? after : before, &to = back ? before : after;
     Differences all = differences(from, to, back);
     add_disagreements(from, to, back, all);
+    add_beside_cases(from, to, back, all);
     for (auto& [name, some] : all) {
       const bool counts = strict || std::ranges::any_of(some, in_own_terms);
       auto& list = (!counts ? other : back ? better : worse)[name];
       list.insert(list.end(), some.begin(), some.end());
     }
   }
-  return {listed(worse, after), listed(better, after), listed(other, after)};
+  Comparison result{listed(worse, after),   listed(better, after),  listed(other, after),
+                    only_in(before, after), only_in(after, before), {}};
+  for (const ProbedOperation& o : b.spec.beside.probed)
+    if (!o.judged && !before.offers(o.subject, "", o.operation) &&
+        std::ranges::find(result.unjudged, o.sentence) == result.unjudged.end())
+      result.unjudged.push_back(o.sentence);
+  return result;
 }
 
 }  // namespace liecheck::properties

@@ -5,6 +5,7 @@
 #include <support/json.hpp>
 #include <support/json_number.hpp>
 #include <support/progress.hpp>
+#include <support/text.hpp>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -33,7 +34,7 @@ std::string series_line(const StoredSeries& s) {
   json line = key_of(s);
   line.update({{"series", s.robot},
                {"profile", s.profile},
-               {"version", s.subject_version},
+               {"version", printable(s.subject_version)},
                {"cases", s.tally.cases},
                {"done", done},
                {"fast", s.tally.fast},

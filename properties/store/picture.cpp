@@ -37,18 +37,21 @@ struct Line {
 };
 
 /// The errors that are compared.
-Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
-  Line line{
-      fmt::format("{} {}, {}", n[0], n[1], n[2]), fmt::format("{}, {}, {}", n[3], n[4], n[5]), "", {}, {}};
-  if (n[3].empty()) line.label = "the oracles disagree";
+Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Change& c) {
+  const Name& n = c.name;
+  Line line{fmt::format("{} {}, {}", n[0], n[1], n[2].empty() ? "beside the random cases" : n[2]),
+            n[3].empty() ? "the oracles disagree" : c.place(),
+            "",
+            {},
+            {}};
   const Drawn was = find(a, n), is = find(b, n);
   const bool same = was.row && is.row && was.series->tally.inputs.sum() == is.series->tally.inputs.sum();
   const bool excess = (was.row && was.row->max_excess > 0) || (is.row && is.row->max_excess > 0);
   const auto error = [&](const Drawn& m) -> std::optional<double> {
-    if (!m.row) return std::nullopt;
+    if (!m.row || m.row->errors.count() == 0) return std::nullopt;
     return !same ? m.row->errors.quantile(0.99) : excess ? m.row->max_excess : m.row->max_error;
   };
-  const auto words = [](const std::optional<double>& x) { return x ? fmt::format("{:.3g}", *x) : "-"; };
+  const auto words = [](const std::optional<double>& x) { return x ? fmt::format("{:.3g}", *x) : "none"; };
   line.before = error(was), line.after = error(is);
   if (was.row || is.row) line.figures = fmt::format("{} → {}", words(line.before), words(line.after));
   const auto fails = [](const Drawn& m) { return m.row ? m.row->failed : 0; };
@@ -57,12 +60,15 @@ Line line_of(const StoredCampaign& a, const StoredCampaign& b, const Name& n) {
 }
 
 /// The lines of one direction, at most `most` of the most important cells.
-std::vector<Line> lines_of(const StoredCampaign& a, const StoredCampaign& b, const std::vector<Change>& changes,
-                           std::size_t most) {
+std::vector<Line> lines_of(const StoredCampaign& a, const StoredCampaign& b,
+                           const std::vector<Change>& changes, std::size_t most) {
   std::vector<Line> lines;
   for (const Change& c : std::span(changes).first(std::min(most, changes.size())))
-    lines.push_back(line_of(a, b, c.name));
-  std::ranges::stable_sort(lines, {}, &Line::group);
+    lines.push_back(line_of(a, b, c));
+  // In groups, of which the one with the most important line is the first.
+  for (auto at = lines.begin(); at != lines.end();)
+    at = std::stable_partition(at, lines.end(),
+                               [group = at->group](const Line& l) { return l.group == group; });
   return lines;
 }
 
@@ -128,8 +134,8 @@ std::string section(const std::vector<Line>& lines, std::size_t cells, const cha
     text += svg_text(axis.left + plot_width + 16, y, l.figures);
   }
   if (cells > lines.size())
-    text +=
-        svg_text(margin, y += line_height, fmt::format("and {} more {}", cells - lines.size(), kind), "faint");
+    text += svg_text(margin, y += line_height, fmt::format("and {} more {}", cells - lines.size(), kind),
+                     "faint");
   return text;
 }
 
@@ -138,8 +144,9 @@ std::string section(const std::vector<Line>& lines, std::size_t cells, const cha
 std::string picture_of(const Comparison& comparison, const StoredCampaign& a, const StoredCampaign& b) {
   const auto worse = lines_of(a, b, comparison.worse, most_worse),
              better = lines_of(a, b, comparison.better, most_better);
-  const std::string title = fmt::format("liecheck: {} cells worse, {} better, of {} compared", comparison.worse.size(),
-                                        comparison.better.size(), cells_in_both(a, b));
+  const std::string title =
+      fmt::format("liecheck: {} cells worse, {} better, of {} compared", comparison.worse.size(),
+                  comparison.better.size(), cells_in_both(a, b));
   std::vector<Line> all = worse;
   all.insert(all.end(), better.begin(), better.end());
   if (all.empty())

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/judge.hpp>
 #include <cmath>
 #include <failures/blocks.hpp>
 #include <store/sampling.hpp>
@@ -27,6 +28,18 @@ double largest_of(const Row& row, const RowTerms& terms) {
   return terms.rule == Rule::excess ? row.max_excess : row.max_error;
 }
 
+/// The cases without an error that can be compared: NaN, on a wrong branch, refused, ...
+std::uint64_t without_error(const Row& row) {
+  std::uint64_t all = 0;
+  for (const auto& [n, name] : outcomes(row)) all += n;
+  return all;
+}
+
+/// Whether a row's largest excess is known: below half the limit it is an upper bound, since kappa is not computed there.
+bool knows_excess(const Row& row, const RowTerms& terms) {
+  return terms.limit <= 0 || row.max_excess > std::min(terms.limit, largest_inexact_limit) / 2;
+}
+
 std::uint64_t count_of(const char* what, const Row& row) {
   for (const auto& [n, name] : outcomes(row))
     if (std::string_view(name) == what) return n;
@@ -40,7 +53,10 @@ class Worse {
       : from_(from), to_(to), terms_(terms), same_(same_inputs), back_(to_is_earlier) {
     for (const auto& [n, what] : outcomes(to)) more(what, count_of(what, from), n, Gravity::broken);
     more("failed", from.failed, to.failed, crossed() ? Gravity::crossed : Gravity::by_little);
-    if (same_) {
+    // Where fewer cases lack an error than before, the errors are those of other cases, and none of them is worse than none.
+    const std::uint64_t lacked = without_error(from), lack = without_error(to);
+    const bool mended = lack < lacked;
+    if (same_ && !mended) {
       more("outside the domain", from.outside_domain, to.outside_domain, Gravity::by_little);
       more("unresolved", from.unresolved, to.unresolved, Gravity::by_little);
       more("unmeasured", from.unmeasured, to.unmeasured, Gravity::by_little);
@@ -51,10 +67,11 @@ class Worse {
       largest();
     }
     // What the largest error says already, the others do not say again.
+    if (mended && 100 * (lacked - lack) > from.count) return;
     const bool said =
         same_ && std::ranges::any_of(all, [](const Difference& d) { return d.gravity == Gravity::grown; });
     if (!said && (same_ || shifted(from.errors, to.errors))) quantiles();
-    if (!same_) above_largest();
+    if (!same_ && !mended) above_largest();
   }
   std::vector<Difference> all;
 
@@ -80,8 +97,10 @@ class Worse {
   double share_of_limit(double error) const { return terms_.limit > 0 ? error / terms_.limit : error; }
 
   void largest() {
+    if (from_.errors.count() == 0) return;
     // Under the excess rule only error / kappa is comparable.
     const bool excess = from_.max_excess > 0 || to_.max_excess > 0;
+    if (excess && !knows_excess(to_, terms_)) return;
     const double from = excess ? from_.max_excess : from_.max_error,
                  to = excess ? to_.max_excess : to_.max_error;
     const auto words = [](double error, const Row& row) {
@@ -95,7 +114,8 @@ class Worse {
   /// have grown, too.
   Gravity gravity_of_growth(double from, double to) const {
     const bool excess = terms_.rule == Rule::excess;
-    const bool much = excess ? to > 2 * from && much_grown(from_.max_excess, to_.max_excess, terms_)
+    const bool much = excess ? to > 2 * from && knows_excess(to_, terms_) &&
+                                   much_grown(from_.max_excess, to_.max_excess, terms_)
                              : much_grown(from, to, terms_);
     return much ? Gravity::grown : Gravity::by_little;
   }

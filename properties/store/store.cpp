@@ -117,6 +117,9 @@ SQLite::Database open(const std::string& path, bool create) {
   const bool exists = fs::exists(path, error);
   if (exists && !fs::is_regular_file(path, error)) throw error_of(path, "not a store: not a regular file");
   if (!exists && !create) throw error_of(path, "no such store");
+  if (const auto at = path.rfind('@');
+      !exists && at != path.npos && path.find_first_not_of("0123456789", at + 1) == path.npos)
+    throw error_of(path, "FILE@N is a campaign of an existing store: a new one needs another name");
   const auto folder = fs::path(path).parent_path();
   if (!exists && ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
     throw error_of(path, fmt::format("cannot be created: {}", std::strerror(errno)));
@@ -160,6 +163,7 @@ void Store::check_format(Open how) try {
                      version == 1 ? ", which counts inputs and not what was measured of them" : "",
                      schema_version));
   check_structure();
+  check_campaigns();
   Counted checked("checking " + path_, "");
   const Looking looking(database_, checked);
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
@@ -179,6 +183,18 @@ void Store::check_structure() {
     if (!due.contains(one)) fail(fmt::format("corrupt: its {} is none of a store", name(one)));
   for (const std::string& one : due)
     if (!found.contains(one)) fail(fmt::format("corrupt: its {} is missing", name(one)));
+}
+
+void Store::check_campaigns() {
+  const std::int64_t n = integer("SELECT count(*) FROM campaigns");
+  if (n > 0 &&
+      (integer("SELECT min(id) FROM campaigns") != 1 || integer("SELECT max(id) FROM campaigns") != n))
+    fail("corrupt: a campaign is missing");
+  for (const char* table : {"series", "done", "cells", "limits", "failures"})
+    if (integer(
+            fmt::format("SELECT count(*) FROM (SELECT 1 FROM {} WHERE campaign < 1 OR campaign > {} LIMIT 1)",
+                        table, n)) > 0)
+      fail(fmt::format("corrupt: its table {} has rows of a campaign that is missing", table));
 }
 
 bool Store::empty() {

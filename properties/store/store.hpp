@@ -52,6 +52,7 @@ class Store {
  private:
   void check_format(Open how);
   void check_structure();
+  void check_campaigns();  ///< their numbers, and that no row belongs to another one
   bool empty();  ///< whether the file is no database yet
   void create_tables();
   void check_no_other_writer();

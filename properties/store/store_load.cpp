@@ -8,12 +8,13 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <store/beside_cases.hpp>
 #include <store/looking.hpp>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
-#include <support/environment.hpp>
 #include <support/json.hpp>
 #include <support/progress.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -91,6 +92,11 @@ std::string wrong_value(const SQLite::Statement& row, const char* table) {
     if (!right)
       return fmt::format("the column {} of its table {} holds a value of another type than {}",
                          value.getName(), table, row.getColumnDeclaredType(i));
+    // liecheck's own words, which have no letter that cannot be seen.
+    if (const std::string name = value.getName(),
+        words = " operation block band_name program budgets robot_hash ";
+        words.find(" " + name + " ") != words.npos && printable(value.getString()) != value.getString())
+      return fmt::format("the column {} of its table {} has a letter that cannot be seen", name, table);
   }
   return "";
 }
@@ -146,7 +152,7 @@ class Loader {
     spec.generator = number(row, 5), spec.program = text(row, 6), spec.budgets = text(row, 7);
     spec.robot.name = text(row, 8), spec.robot.hash = text(row, 9), spec.robot.urdf = text(row, 10);
     spec.environment = text(row, 11);
-    check(is_environment(spec.environment), "its environment");
+    check(take_beside_cases(spec.environment, spec.beside), "its environment");
     return true;
   }
 
@@ -265,6 +271,10 @@ std::vector<Counterexample> Store::counterexamples() try {
       if (const std::string wrong = wrong_value(sealed, table); !wrong.empty()) fail("corrupt: " + wrong);
     }
   }
+  if (integer("SELECT count(*) FROM (SELECT 1 FROM cells c LEFT JOIN failures f USING(campaign, series, "
+              "output, band) "
+              "WHERE c.failed > 0 AND f.input IS NULL LIMIT 1)") > 0)
+    fail("corrupt: a failure is missing");
   // Before the first row, all are sorted.
   const Looking looking(database_, rows);
   SQLite::Statement row(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
+#include <store/beside_cases.hpp>
 #include <store/looking.hpp>
 #include <store/row_seal.hpp>
 #include <store/store.hpp>
@@ -35,7 +36,7 @@ std::string text_of(const Histogram& h) {
 void Store::insert(const CampaignSpec& s) {
   SQLite::Statement row(database_, "INSERT INTO campaigns VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   bind_sealed_row(row, campaign_, s.seed, s.cases, s.first, s.last, s.generator, s.program, s.budgets,
-                  s.robot.name, s.robot.hash, s.robot.urdf, s.environment)
+                  s.robot.name, s.robot.hash, s.robot.urdf, with_beside_cases(s.environment, s.beside))
       .exec();
   insert_limits(s);
 }

@@ -86,6 +86,7 @@ CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::ve
   std::sort(s.limits.begin(), s.limits.end(),
             [](const auto& a, const auto& b) { return a->subject < b->subject; });
   s.environment = environment_text();
+  s.beside = o.beside;
   for (const auto& r : series) s.series.push_back(name_of(*r.series).text());
   return s;
 }

@@ -19,6 +19,7 @@ struct CampaignSpec {
   Robot robot;
   std::vector<std::shared_ptr<const SubjectLimits>> limits;  ///< sorted by subject
   std::string environment;          ///< JSON of the machine that ran it; not compared
+  BesideCases beside;               ///< of the first shard; no part of the identity
   std::vector<std::string> series;  ///< names of the series (SeriesName::text)
 
   /// Returns "seed 1 against 2; ...", or an empty text if both are the same campaign.

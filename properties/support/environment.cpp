@@ -36,12 +36,6 @@ std::string environment_text() {
   return dumped(environment());
 }
 
-bool is_environment(const std::string& text) try {
-  return parsed(text).is_object();
-} catch (const nlohmann::json::exception&) {
-  return false;
-}
-
 std::string environment_line() {
   const auto text = [all = environment()](const char* name) { return all[name].get<std::string>(); };
   return fmt::format("{}, governor {}, {}, {}, {}", text("cpu"), frequency_governor(), text("os"),

@@ -11,8 +11,6 @@ nlohmann::json environment();
 
 /// environment() as JSON text.
 std::string environment_text();
-/// Whether the text is JSON that can be one of another machine.
-bool is_environment(const std::string& text);
 
 /// The environment and the frequency governor on one line, for a terminal.
 std::string environment_line();

@@ -90,6 +90,32 @@ TEST(Adapters, ADescriptionThatIsWrongIsRefusedInWords) {
   EXPECT_NE(failure_of("/does/not/exist").find("the shell did not find the command"), std::string::npos);
 }
 
+TEST(Adapters, ThatDescribeThemselvesOtherwiseWhenTheyAreStartedAgainAreNamed) {
+  const std::string words = liecheck::scratch() + "description", script = liecheck::scratch() + "changes.sh";
+  const auto describe = [&](const char* version) {
+    std::ofstream(words) << R"({"protocol": 1, "name": "changes", "version": ")" << version
+                         << R"(", "operations": {"exp3_quaternion": ["double"]}})"
+                         << "\n";
+  };
+  std::ofstream(script) << "read hello; cat " << words << "; read call";  // it ends at the first call
+  describe("1");
+  const auto adapter = start_process("sh " + script, 5);
+  std::array<double, 3> phi{0.1, 0.2, 0.3};
+  std::array<double, 4> Q{};
+  std::array<Status, 1> status{};
+  const auto failure = [&] {
+    return test::refusal<AdapterFailed>([&] {
+      adapter->call({*sizes_of("exp3_quaternion"), true, 1, std::as_bytes(std::span(phi)),
+                     std::as_writable_bytes(std::span(Q)), status});
+    });
+  };
+  EXPECT_NE(failure().find("ended"), std::string::npos);
+  describe("2");
+  EXPECT_EQ(
+      failure(),
+      "the adapter was started again and describes itself otherwise: its version was '1' and is '2' now");
+}
+
 TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
   // It ends at each call of many inputs, so that each is asked alone, and then at every seventh one: so the number of
   // crashes does not depend on how many inputs the campaign's pace puts into a call.
@@ -120,7 +146,8 @@ TEST(Adapters, TheExamplesAnswerAsTheyShould) {
     const Checked checked = check(*adapter);
     EXPECT_EQ(checked.operations.size(), adapter->description().offered.size()) << command;
     EXPECT_FALSE(checked.operations.empty());
-    EXPECT_TRUE(std::ranges::all_of(checked.findings, &conventions::Finding::usual)) << "choices as liecheck's";
+    EXPECT_TRUE(std::ranges::all_of(checked.findings, &conventions::Finding::usual))
+        << "choices as liecheck's";
     for (const CheckedOperation& o : checked.operations)
       EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
   }

@@ -47,6 +47,9 @@ double in_half_the_cases(const V6&, const Pose<double>& T) {
 double nan_at_pi(const V6& xi, const Pose<double>&) {
   return std::abs(turn(xi) - M_PI) < 0.1 ? NAN : 0;
 }
+double always_nan(const V6&, const Pose<double>&) {
+  return NAN;
+}
 double in_a_band(const V6& xi, const Pose<double>&) {
   return turn(xi) > 1e-8 && turn(xi) < 1e-7 ? 1e5 : 0;
 }
@@ -61,6 +64,7 @@ const auto as_it_is = registered("compare:as_it_is", op::exp6, own_exp6),
            by_102 = registered("compare:by_102", op::exp6, exp6<everywhere<102>>),
            flags = registered("compare:flags", op::exp6, exp6<in_half_the_cases>),
            nan = registered("compare:nan", op::exp6, exp6<nan_at_pi>),
+           only_nan = registered("compare:only_nan", op::exp6, exp6<always_nan>),
            cliff = registered("compare:cliff", op::exp6, exp6<in_a_band>),
            with_log = registered("compare:with_log",
                                  [](Operations&o) {
@@ -139,20 +143,33 @@ INSTANTIATE_TEST_SUITE_P(
         ChangeOfALibrary{"Nothing", base, base, 0, 0, "### liecheck: nothing is worse\n"},
         ChangeOfALibrary{"AFix", {"compare:by_a_hundred"}, base, 0, 0, "What got better"},
         ChangeOfALibrary{
-            "OneConstant", base, {"compare:by_forty"}, 1, 1, " and 44 more | exp_oracle | largest error "},
+            "OneConstant", base, {"compare:by_forty"}, 1, 1, " and 43 more | exp_oracle | largest error "},
         ChangeOfALibrary{"AGrowthFarFromTheLimit", base, {"compare:by_four"}, 0, 1, "differ by less"},
         ChangeOfALibrary{"AFailureALittleWorse", {"compare:by_a_hundred"}, {"compare:by_102"}, 0, 0},
         ChangeOfALibrary{"OtherFlags", base, {"compare:flags"}, 0, 1, "differ by less"},
         ChangeOfALibrary{"AnotherSeed", {"textbook", 42}, {"textbook", 7}, 0, 0, "nothing is worse\n"},
         ChangeOfALibrary{"AnotherSeedAndOneConstant", base, {"compare:by_forty", 7}, 1, 1, "error"},
         ChangeOfALibrary{"MoreCases", {"textbook"}, {"textbook", 42, 2000}, 0, 0, "nothing is worse\n"},
-        ChangeOfALibrary{
-            "AnotherName", base, {"compare:as_it_is", 42, 600, "mylib2"}, 3, 1, "no longer measured"},
-        ChangeOfALibrary{"OneMoreOperation", base, {"compare:with_log"}, 0, 0, "measured for the first time"},
+        ChangeOfALibrary{"AnotherName",
+                         base,
+                         {"compare:as_it_is", 42, 600, "mylib2"},
+                         3,
+                         3,
+                         "have no cell with a verdict in common"},
+        ChangeOfALibrary{"OneMoreOperation",
+                         base,
+                         {"compare:with_log"},
+                         0,
+                         0,
+                         "is worse, measured for the first time: log6"},
         ChangeOfALibrary{
             "OneMoreOperationThatFails", base, {"compare:other_branch"}, 1, 1, "failed: not measured → "},
-        ChangeOfALibrary{"OneOperationLess", {"compare:with_log"}, base, 0, 1, "no longer measured"},
+        ChangeOfALibrary{
+            "OneOperationLess", {"compare:with_log"}, base, 0, 1, "is worse, no longer measured: log6"},
         ChangeOfALibrary{"NaNAtPi", base, {"compare:nan"}, 1, 1, "NaN or Inf: 0 of "},
+        ChangeOfALibrary{"NoMoreNaNAtPi", {"compare:nan"}, {"compare:by_forty"}, 1, 1, "largest error "},
+        ChangeOfALibrary{
+            "OnlyNaNBefore", {"compare:only_nan"}, {"compare:by_forty"}, 0, 0, "What got better"},
         ChangeOfALibrary{
             "AnotherBranch", {"compare:with_log"}, {"compare:other_branch"}, 1, 1, "wrong branch: 0 of "},
         ChangeOfALibrary{"ACliff",
@@ -204,6 +221,52 @@ TEST(Comparisons, CallWorseWhatUsesUpAQuarterOfTheLimitAndStrictlyWhatIsNoRoundi
   EXPECT_EQ(worse(0.2, 0.71, true), 1u);
 }
 
+TEST(Comparisons, DoNotJudgeAnExcessOfWhichOnlyABoundIsKnown) {
+  StoredCampaign a = campaign(base, Profile::careful);
+  Row& first = a.series.at(0).tally.rows.begin()->second;
+  first.max_excess = 4.6;
+  // Below half the limit, kappa is not computed.
+  const Comparison below = changed(
+      a, [](Row& r) { r.max_excess = 31.4; }, true);
+  EXPECT_TRUE(below.worse.empty() && below.better.empty());
+  EXPECT_EQ(changed(
+                a, [](Row& r) { r.max_excess = 33; }, true)
+                .worse.size(),
+            1u);
+}
+
+TEST(Comparisons, DoNotCallErrorsBetterThatAreNaNNow) {
+  const StoredCampaign a = campaign(base, Profile::careful);
+  const Comparison all = changed(a, [](Row& r) {
+    r.not_finite = r.failed = r.count, r.errors = Histogram(), r.max_error = r.max_excess = 0;
+  });
+  EXPECT_EQ(all.worse.size(), 1u);
+  EXPECT_TRUE(all.better.empty());
+}
+
+TEST(Comparisons, FindWhatTheProbeAndTheHardCasesFind) {
+  StoredCampaign a = campaign(base, Profile::careful), b = a;
+  b.spec.beside.probed = {{"mylib", "exp6", "the order is another", false},
+                          {"mylib", "log6", "no one knows", false}};
+  a.spec.beside.corpus = b.spec.beside.corpus = "1";
+  b.spec.beside.failed = {{"mylib", "double", "angle_1e15", "exp6", "rotation", "bad call"}};
+  const std::string dir = own_folder();
+  for (const auto& [file, c] : {std::pair("a", a), std::pair("b", b)})
+    Store(dir + file, Store::Open::create).write(c, false, {});
+  const Answer said = shell("cd " + dir + "; '" LIECHECK_PROGRAM "' compare a b");
+  EXPECT_EQ(said.code, 1) << said.text;
+  EXPECT_TRUE(said.text.starts_with(
+      "mylib: exp6: judged: yes → no: the order is another\n"
+      "mylib double: exp6, rotation, hard case angle_1e15: verdict: passed → bad call\n"))
+      << said.text;
+  EXPECT_SAYS(said.text, "\nincomplete: not judged in b: no one knows; 2 cells are worse");
+  const Answer back = shell("cd " + dir + "; '" LIECHECK_PROGRAM "' compare b a");
+  EXPECT_EQ(back.code, 0) << back.text;
+  EXPECT_SAYS(back.text, "nothing is worse, 2 cells are better");
+  b.spec.beside.corpus = "2";  // other hard cases
+  EXPECT_EQ(compared(a, b).worse.size(), 1u);
+}
+
 TEST(Comparisons, CallAFailureNewBesideAnotherOnlyIfItsErrorGrew) {
   StoredCampaign a = campaign(base, Profile::careful);
   auto& rows = a.series.at(0).tally.rows;
@@ -250,7 +313,7 @@ TEST(Comparisons, ReadBeforeAndThenAfterWhateverGotBetter) {
   EXPECT_SAYS(comment, "| worse | operation, block, band | law | before → after |\n");
   EXPECT_SAYS(comment, "| better | operation, block, band | law | before → after |\n");
   EXPECT_SAYS(comment, "```sh\nliecheck replay g4.42.");
-  const std::string nothing = in_markdown(compared(a, a), {});
+  const std::string nothing = in_markdown(compared(a, a), {1});
   EXPECT_SAYS(nothing, "### liecheck: nothing is worse\n");
   EXPECT_EQ(nothing.find('|'), nothing.npos) << nothing;
 }

@@ -432,6 +432,12 @@ std::vector<Hostile> all() {
             "store: ALTER TABLE limits ADD COLUMN y"),
       store("StoreWithoutATable", with_store, "corrupt: its table counterexamples is missing",
             "store: DROP TABLE counterexamples"),
+      store("StoreWithoutItsCampaign", with_store,
+            "corrupt: its table series has rows of a campaign that is missing",
+            "store: DELETE FROM campaigns"),
+      store("StoreWithLimitsOfNoCampaign", with_store,
+            "corrupt: its table limits has rows of a campaign that is missing",
+            "store: INSERT INTO limits VALUES(7, 'a', 'b', 'c', 0)"),
       store("StoreOfAnEarlierVersion", with_store, "a store of version 4", "store: PRAGMA user_version = 4"),
       store("StoreWithACounterexample", replayed, "corrupt: a row of its table counterexamples was changed",
             "store: INSERT INTO counterexamples VALUES('twist', 'liecheck', 'double', 'none', 'x', 'y', '1', "

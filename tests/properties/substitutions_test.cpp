@@ -5,7 +5,8 @@
 #include <campaign/campaign.hpp>
 #include <campaign/robots.hpp>
 #include <cmath>
-#include <failures/substitutions.hpp>
+#include <failures/relations.hpp>
+#include <failures/single_numbers.hpp>
 #include "../own_subject.hpp"
 
 namespace liecheck::properties {
@@ -61,6 +62,70 @@ TEST(Substitutions, AResultInFloat) {
   };
   EXPECT_EQ(float_of(op::exp3_quaternion, calls_of(op::exp3_quaternion, numbers(3), in_float)),
             "where it fails, the result is rounded to float");
+}
+
+TEST(Substitutions, ANumberOfAnArgumentInFloat) {
+  const auto calls = calls_of(op::rotate_point, numbers(7), [](const auto& x, auto& result) {
+    std::vector<double> y = x;
+    y[6] = oracles::rounded_to_float(y[6]);
+    result = exact("rotate_point", y);
+  });
+  EXPECT_EQ(float_of(op::rotate_point, calls),
+            "where it fails, the result is what p[2] rounded to float would give");
+}
+
+TEST(Substitutions, ASmallResultIsNotZero) {
+  const auto times = [](double factor) {
+    auto calls = calls_of(op::log3_quaternion, numbers(4), [](const auto&, auto&) {});
+    for (JudgedCall& c : calls)
+      for (double& x : c.call.result) x *= factor;
+    return substitution_of(op::log3_quaternion, calls);
+  };
+  EXPECT_EQ(times(0), "where it fails, the result is 0");
+  EXPECT_EQ(times(1e-9), "");
+}
+
+TEST(Substitutions, AnotherOrderOfEulerAngles) {
+  auto arguments = numbers(4);
+  for (auto& x : arguments) x[0] = 4;
+  const auto calls = calls_of(op::euler_to_quaternion, arguments, [](const auto& x, auto& result) {
+    std::vector<double> y = x;
+    y[0] = 6;
+    result = exact("euler_to_quaternion", y);
+  });
+  EXPECT_EQ(other_order_of(op::euler_to_quaternion, calls),
+            "where it fails, the result is that of the order YZX");
+}
+
+TEST(Substitutions, AProductInPlace) {
+  const auto calls = calls_of(op::rotate_point, numbers(7), [](const auto& x, auto& result) {
+    std::vector<double> y = x;
+    for (std::size_t i = 0; i < 3; ++i) y[4 + i] = result[i] = exact("rotate_point", y)[i];
+  });
+  EXPECT_TRUE(in_place_of(op::rotate_point, calls).starts_with("x_A is computed in place (aliasing)"))
+      << in_place_of(op::rotate_point, calls);
+  EXPECT_EQ(in_place_of(op::rotate_point, calls_of(op::rotate_point, numbers(7),
+                                                   [](const auto&, auto& result) { result[1] += 1; })),
+            "");
+}
+
+TEST(Substitutions, APowerOfTheNormOfQ) {
+  const auto calls = calls_of(op::log3_any_norm, numbers(4), [](const auto& x, auto& result) {
+    for (double& y : result) y *= std::hypot(std::hypot(x[0], x[1], x[2]), x[3]);
+  });
+  EXPECT_EQ(norm_power_of(op::log3_any_norm, calls), "where it fails, the result is |Q| times the right one");
+}
+
+TEST(Substitutions, WhichNumbersAreWrong) {
+  const auto of = [](void (*plant)(const std::vector<double>&, std::vector<double>&)) {
+    return wrong_numbers_of(op::exp3_matrix, calls_of(op::exp3_matrix, numbers(3), plant));
+  };
+  EXPECT_EQ(of([](const auto&, auto& R) { std::swap(R[1], R[3]); }),
+            "where it fails, R[0,1] and R[1,0] are exchanged");
+  EXPECT_EQ(of([](const auto& x, auto& R) { R[5] += x[0], R[7] += x[0]; }),
+            "a wrong term, factor or sign in R[1,2] and R[2,1]: the other numbers are right");
+  EXPECT_EQ(of([](const auto& x, auto& R) { R[static_cast<std::size_t>(std::fabs(1e4 * x[0])) % 9] += 1; }),
+            "");
 }
 
 TEST(Substitutions, AVectorInAnotherFrame) {

@@ -196,6 +196,9 @@ TEST(Terrain, BadGroundIsRefusedWithARemedy) {
             "s.yaml:2: ground.heights has 1 numbers in row 2 and 2 in row 1: rows must have the same length");
   EXPECT_EQ(ground("heights: [[0, 0]], spacing: [1, 1]"),
             "s.yaml:2: ground.heights needs at least two rows of two numbers");
+  for (const char* flat : {"spacing: [1, 1], corner: [1e16, 0]", "spacing: [1e-300, 1]"})
+    EXPECT_EQ(ground(std::string("heights: [[0, 0], [0, 0]], ") + flat),
+              "s.yaml:2: ground.heights: no triangle has an area: 'spacing' vanishes beside 'corner'");
   EXPECT_EQ(ground("heights: bad.csv, spacing: [1, 1]"),
             "s.yaml:2: ground.heights: " + testing::TempDir() + "bad.csv: line 2: 'x' is not a number");
   EXPECT_EQ(ground("heights: [[0, 0], [0, 0]]"),

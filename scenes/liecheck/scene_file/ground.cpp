@@ -217,6 +217,8 @@ void readGround(const Text& text, const YAML::Node& ground, scene::Scene& scene)
                               ? text.numbers(ground["corner"], "ground.corner", "m", 2)
                               : std::vector<double>{0, 0};
       addHeights(readHeights(text, heights), spacing, corner, all);
+      if (all.mesh.triangles.empty())
+        text.refuse(heights, "ground.heights: no triangle has an area: 'spacing' vanishes beside 'corner'");
     } else {
       readMesh(text, mesh, all);
     }
