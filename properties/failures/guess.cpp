@@ -295,8 +295,7 @@ std::string guess_of(const FailedBlock& f) {
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  for (const auto cause :
-       {float_of, substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
+  for (const auto cause : {float_of, substitution_of, other_order_of, norm_power_of, in_place_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;

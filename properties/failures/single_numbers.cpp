@@ -6,6 +6,7 @@
 #include <cmath>
 #include <conventions/values.hpp>
 #include <failures/relations.hpp>
+#include <iterator>
 #include <oracles/orientations.hpp>
 #include <support/stop.hpp>
 
@@ -130,15 +131,21 @@ std::string norm_power_of(const Operation& operation, const std::vector<JudgedCa
       n += static_cast<std::size_t>(std::max(p.size, 0));
     }
   if (Q == 0 || operation.results.size() != 1 || operation.results[0]->parts[0].size != 3) return "";
+  const auto norm = [Q](const JudgedCall& c) {
+    const double* const q = c.call.arguments.data() + Q - 1;
+    return std::hypot(std::hypot(q[0], q[1], q[2]), q[3]);
+  };
+  std::vector<JudgedCall> ordinary;  // whose |Q|^2 neither overflows nor underflows
+  std::ranges::copy_if(calls, std::back_inserter(ordinary),
+                       [&](const JudgedCall& c) { return norm(c) > 1e-100 && norm(c) < 1e100; });
   const auto times = [](int power) {
     return power == 1 ? "|Q| times the right one" : fmt::format("|Q|^{} times the right one", power);
   };
   for (const int power : {1, -1, 2, -2})
     for (const bool from_moved : {false, true}) {
       if (from_moved && !moved) continue;
-      if (given(calls, [&](const JudgedCall& c) {
-            const double* const q = c.call.arguments.data() + Q - 1;
-            const double factor = std::pow(std::hypot(std::hypot(q[0], q[1], q[2]), q[3]), power);
+      if (given(ordinary, [&](const JudgedCall& c) {
+            const double factor = std::pow(norm(c), power);
             Numbers y = c.right;
             for (std::size_t i = 0; i < 3; ++i) {
               const double origin = from_moved ? c.call.arguments[at_moved + i] : 0;
@@ -166,6 +173,12 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   for (std::size_t i = 0; i < wrong.size(); ++i)
     if (20 * wrong[i] > judged.size()) those.push_back(i);
   if (judged.size() < least || those.empty() || 3 * those.size() > names.size()) return "";
+  std::size_t from = 0;
+  for (const Part& part : operation.results[0]->parts) {  // the block is named already
+    const auto end = from + static_cast<std::size_t>(part.size);
+    if (those.front() == from && those.size() == end - from && those.back() == end - 1) return "";
+    from = end;
+  }
   std::vector<std::string> text;
   for (const std::size_t i : those) text.push_back(names[i]);
   const auto exchanged = [&](const JudgedCall* c) {

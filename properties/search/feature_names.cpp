@@ -1,6 +1,7 @@
 #include <search/feature_names.hpp>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <operations/quaternion_poses.hpp>
 #include <oracles/orientations.hpp>
@@ -69,8 +70,8 @@ namespace {
 /// Reads the arguments of a call: notes the values of the features, and, if wanted, their names.
 class ArgumentReader {
  public:
-  explicit ArgumentReader(const Scalar& scalar, std::vector<FeatureName>* names)
-      : scalar_(scalar), names_(names) {}
+  ArgumentReader(const Scalar& scalar, std::vector<FeatureName>* names, bool floating)
+      : scalar_(scalar), names_(names), floating_(floating) {}
   std::vector<double> values;
 
   void add(const NumberFunction& f, const double* x) {
@@ -80,6 +81,7 @@ class ArgumentReader {
       if (layout.parts.size() == 0) add_reference(*x++);
       for (const Part& part : layout.parts) {
         if (part.size > 0) add(part, x);
+        if (part.size == nq) add_root(floating_ && f.model.nq >= 7 ? x + 3 : nullptr);
         if (part.size == 4 && part.unit == "1") add_quaternion(part, x);
         x += size_of(part, f.model);
       }
@@ -107,6 +109,17 @@ class ArgumentReader {
     for (int k = 0; k < 3; ++k)
       flag(seen == k,
            [&] { return Pair(fmt::format("seen = {}", names[k]), fmt::format("seen is not {}", names[k])); });
+  }
+  /// Q of the free-flyer that is the first joint, or null: then it has no features.
+  void add_root(const double* Q) {
+    const std::size_t before = values.size();
+    constexpr double none[4] = {};
+    const Part part{"the root's Q", 3, "1"};
+    argument_ = part.name;
+    for (int i = 0; i < 3; ++i) add_number(part, i, (Q ? Q : none)[i]);
+    add_vector(part, Q ? Q : none);
+    note((Q ? Q : none)[3], Written::sign, [] { return Pair("the root's Q.w", ""); });
+    if (!Q) std::fill(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(), std::nan(""));
   }
   void add(const Part& part, const double* x) {
     argument_ = part.name;
@@ -143,6 +156,9 @@ class ArgumentReader {
   }
   void add_quaternion(const Part& part, const double* Q) {
     add_octants(part, Q);
+    const std::string vector = fmt::format("({}.x, {}.y, {}.z)", part.name, part.name, part.name);
+    add_zeros(vector, Q);
+    flag(Q[0] == 0 && Q[1] == 0 && Q[2] == 0, [&] { return Pair(vector + " = 0", vector + " is not 0"); });
     if (first_) {
       double product = 0;
       for (int i = 0; i < 4; ++i) product += first_[i] * Q[i];
@@ -150,6 +166,12 @@ class ArgumentReader {
     } else {
       first_ = Q, first_name_ = part.name;
     }
+  }
+  /// How many of three numbers are 0.
+  void add_zeros(std::string_view vector, const double* x) {
+    const int zeros = (x[0] == 0) + (x[1] == 0) + (x[2] == 0);
+    flag(zeros == 1, [&] { return Pair(fmt::format("just one number of {} is 0", vector), ""); });
+    flag(zeros == 2, [&] { return Pair(fmt::format("just two numbers of {} are 0", vector), ""); });
   }
   /// The signs of the first three numbers.
   void add_octants(const Part& part, const double* x) {
@@ -172,6 +194,7 @@ class ArgumentReader {
     });
     flag(zero[0] + zero[1] + zero[2] >= 2,
          [&] { return Pair(fmt::format("two numbers of {} are 0", part.name), ""); });
+    add_zeros(part.name, x);
     add_octants(part, x);
     for (int k = 2; k >= 0; --k) {
       const int i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
@@ -228,6 +251,7 @@ class ArgumentReader {
 
   const Scalar& scalar_;
   std::vector<FeatureName>* names_;
+  bool floating_;
   const double* first_ = nullptr;  ///< the first quaternion
   std::string_view first_name_;
   std::string argument_;  ///< the part that is read
@@ -247,12 +271,13 @@ std::vector<FeatureName> argument_names(const NumberFunction& function) {
   std::vector<FeatureName> names;
   const std::vector<double> zeros(count_numbers(function.operation->arguments, function.model) +
                                   64);  // poses may become shorter
-  ArgumentReader(*function.scalar, &names).add(function, zeros.data());
+  ArgumentReader(*function.scalar, &names, false).add(function, zeros.data());
   return names;
 }
 
-std::vector<double> argument_features(const NumberFunction& function, const std::vector<double>& arguments) {
-  ArgumentReader reader(*function.scalar, nullptr);
+std::vector<double> argument_features(const NumberFunction& function, const std::vector<double>& arguments,
+                                      bool floating) {
+  ArgumentReader reader(*function.scalar, nullptr, floating);
   const std::vector<double> given =
       function.quaternion_poses
           ? poses_as_quaternions(*function.operation, arguments, function.scalar->is_float())

@@ -30,7 +30,8 @@ const std::vector<FeatureName>& fixed_names();
 /// Those of the arguments of one operation.
 std::vector<FeatureName> argument_names(const NumberFunction& function);
 /// Their values in a call, in the same order.
-std::vector<double> argument_features(const NumberFunction& function, const std::vector<double>& arguments);
+std::vector<double> argument_features(const NumberFunction& function, const std::vector<double>& arguments,
+                                      bool floating);
 
 /// A feature from `low` up to but not `high`, in words: "Q.w < 0", "|p_Y| >= 1e+03 m", "a joint is prismatic".
 std::string text_of(const FeatureName& name, double low, double high, const Scalar& scalar);

@@ -67,7 +67,7 @@ std::vector<double> Trial::features_of(const NumberFunction& f, const void* argu
     names_.insert(names_.end(), of_arguments.begin(), of_arguments.end());
   }
   std::vector<double> values = values_of(properties::features_of(f, numbers, context));
-  const std::vector<double> of_arguments = argument_features(f, numbers);
+  const std::vector<double> of_arguments = argument_features(f, numbers, context.floating);
   values.insert(values.end(), of_arguments.begin(), of_arguments.end());
   return values;
 }
