@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/markdown.hpp>
@@ -81,17 +82,26 @@ class RecordCheck {
   void record(const json& record) const {
     texts(record, "the record", {"date"});
     lists(record, "the record", {"libraries"});
+    std::set<std::string> names;
     for (const json& library : record["libraries"]) {
       texts(library, "a library", {"name", "version", "language", "adapter", "run"});
       const std::string name = printable(library["name"]);
       lists(library, name, {"cells"});
       if (library.contains("repaired"))
         need(library, name, "repaired", "true or false", [](const json& x) { return x.is_boolean(); });
-      for (const json& c : library["cells"]) cell(c, name);
+      once(names, name, "the record");
+      std::set<std::string> cells;
+      for (const json& c : library["cells"])
+        cell(c, name),
+            once(cells, fmt::format("{} in {}", printable(c["operation"]), c["scalar"].dump()), name);
     }
   }
 
  private:
+  void once(std::set<std::string>& seen, const std::string& name, const std::string& where) const {
+    if (!seen.insert(name).second)
+      throw std::invalid_argument(fmt::format("{}: {} has '{}' twice", file_, where, name));
+  }
   void cell(const json& c, const std::string& library) const {
     texts(c, "a cell of " + library, {"operation"});
     const std::string name = fmt::format("{} of {}", printable(c["operation"]), library);

@@ -46,6 +46,15 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
   return bands;
 }
 
+/// ": 7.6 of 15.7 digits lost", if an example loses fewer digits than the worst case, by one at least.
+std::string less_than_the_worst(const FailedBlock& f, const Shrunk& example) {
+  const Series& series = *f.worst->series;
+  if (example.judged.residual.outcome != Outcome::measured) return "";
+  const double all = 1 / series.eps, score = std::min(score_of(series, example.judged), all);
+  const std::string lost = digits_lost(score, series.eps);
+  return lost.empty() || 10 * score > std::min(f.score, all) ? "" : ": " + lost;
+}
+
 /// The call that shows a failure, what is wrong with its result, and how to repeat it.
 std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try {
   const BandOf& w = *f.worst;
@@ -70,7 +79,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   else if (const std::string number =
                f.block == "sign" || !s->reproduced ? "" : worst_number_text(series, of, all);
            !number.empty())
-    text += fmt::format("            {}\n", number);
+    text += fmt::format("            {}{}\n", number, less_than_the_worst(f, *s));
   else if (call && !call->thrown.empty())
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);

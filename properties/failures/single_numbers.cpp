@@ -31,14 +31,18 @@ Numbers errors_of(const JudgedCall& c) {
   return std::ranges::max(errors) > 1e-6 * size && size > 1e-30 ? errors : Numbers();
 }
 
-/// The names of the numbers of a result; empty if they are not those of the calls.
+/// The names of the numbers of a result.
 std::vector<std::string> names_of(const Operation& operation) {
   std::vector<std::string> all;
   if (operation.results.size() != 1) return all;
   for (const Part& part : operation.results[0]->parts)
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(part.size, 0)); ++i)
       all.push_back(conventions::number_name(part, i));
-  return all.size() == 36 ? std::vector<std::string>() : all;  // which calls have in blocks
+  if (all.size() != 36) return all;
+  std::vector<std::string> in_blocks;  // as calls have them
+  for (const std::size_t corner : {0, 3, 18, 21})
+    for (std::size_t i = 0; i < 9; ++i) in_blocks.push_back(all[corner + i / 3 * 6 + i % 3]);
+  return in_blocks;
 }
 
 /// Whether nine of ten wrong results are those of `other`, and four at least.
@@ -172,7 +176,9 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   std::vector<std::size_t> those;
   for (std::size_t i = 0; i < wrong.size(); ++i)
     if (20 * wrong[i] > judged.size()) those.push_back(i);
-  if (judged.size() < least || those.empty() || 3 * those.size() > names.size()) return "";
+  constexpr std::size_t most_named = 4;
+  if (judged.size() < least || those.empty() || 3 * those.size() > names.size() || those.size() > most_named)
+    return "";
   std::size_t from = 0;
   for (const Part& part : operation.results[0]->parts) {  // the block is named already
     const auto end = from + static_cast<std::size_t>(part.size);

@@ -134,6 +134,7 @@ class ArgumentReader {
   /// Euler angles have numbers, all else has x, y, z and w.
   static std::string component(const Part& part, int i) {
     if (part.size == 1) return text(part);
+    if (part.size == 2 && part.unit == "1") return fmt::format("{}.{}", part.name, i == 0 ? "cos" : "sin");
     return part.size > 4 || part.name == "angles" ? fmt::format("{}[{}]", part.name, i)
                                                   : fmt::format("{}.{}", part.name, "xyzw"[i]);
   }

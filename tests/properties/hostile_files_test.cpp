@@ -368,6 +368,13 @@ std::vector<Hostile> all() {
        "$L lab league changes r.json r.json",
        "r.json: is no record of the league",
        {{"r.json", league("/league", "\"1\"")}}},
+      {"LeagueOfALibraryTwice",
+       "$L lab league changes r.json r.json",
+       "r.json: the record has 'x' twice",
+       {{"r.json",
+         league(
+             "/libraries/1",
+             R"({"name": "x", "version": "1", "language": "C", "adapter": "", "run": "", "cells": []})")}}},
       {"LeagueRepairedByAText",
        "$L lab league changes r.json r.json",
        "r.json: x has no true or false 'repaired'",
