@@ -7,14 +7,17 @@
 namespace liecheck::properties::adapters {
 
 std::string changed(const Description& earlier, const Description& now) {
+  const auto otherwise = [](const std::string& how) {
+    return "the adapter was started again and describes itself otherwise: " + how;
+  };
   for (const auto& [what, was, is] :
        {std::tuple("name", &earlier.name, &now.name), {"version", &earlier.version, &now.version}})
     if (*was != *is)
-      return fmt::format("its {} was '{}' and is '{}' now", what, printable(*was), printable(*is));
+      return otherwise(fmt::format("its {} was '{}' and is '{}' now", what, printable(*was), printable(*is)));
   for (const auto& [operation, scalar] : earlier.offered)
     if (!now.offered.contains({operation, scalar}))
-      return fmt::format("it offered {} in {} and does not now", operation, scalar);
-  return earlier.conventions == now.conventions ? "" : "the conventions that it states are others now";
+      return otherwise(fmt::format("it offered {} in {} and does not now", operation, scalar));
+  return earlier.conventions == now.conventions ? "" : otherwise("it states other conventions now");
 }
 
 std::string in_words(Status status, const std::string& why) {

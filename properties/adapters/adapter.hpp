@@ -38,8 +38,8 @@ struct Description {
   std::set<std::string> refused_references = {};  ///< found by asking; they are not among its references
 };
 
-/// "its name was x and is y now": how an adapter that was started again describes itself otherwise; or "". Operations may have
-/// been withheld from the earlier description.
+/// How an adapter that was started again describes itself otherwise, in a sentence; or "". Operations may have been withheld from
+/// the earlier description.
 std::string changed(const Description& earlier, const Description& now);
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

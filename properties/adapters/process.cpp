@@ -135,7 +135,7 @@ class Process : public Adapter {
     Description now = described(child_->line("its description"));
     child_->tell("");
     if (const std::string how = description_.name.empty() ? "" : changed(description_, now); !how.empty())
-      throw AdapterFailed("the adapter was started again and describes itself otherwise: " + how);
+      throw AdapterFailed(how);
     description_ = std::move(now);
   }
 

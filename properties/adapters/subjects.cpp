@@ -66,7 +66,7 @@ Adapter& adapter(int number) {
     earlier.name = source.own_name;
     if (const std::string how = changed(earlier, own.adapter->description()); !how.empty()) {
       own = {};
-      throw AdapterFailed("the adapter was started again and describes itself otherwise: " + how);
+      throw AdapterFailed(how);
     }
   }
   return *own.adapter;

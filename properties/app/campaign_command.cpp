@@ -325,7 +325,7 @@ int run(const CampaignFlags& f) {
     std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
   auto done = run_stored_campaign(selection, robot, f.cases, f.store, beside_of(differ.probed, hard_cases));
   if (!done) return within_budget;
-  done->result.wrong_calls = wrong_calls_beside(done->result, differ.wrong, differ.outside);
+  done->result.wrong_calls = wrong_calls_beside(done->result, differ.probed, differ.outside);
   if (!without_trees(f).empty() || !differ.conventions.empty()) done->result.measured = false;
   int code = incomplete;
   const ToldFindings told = told_findings(done->result, hard_cases, f.all);

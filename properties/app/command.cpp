@@ -102,8 +102,7 @@ void withhold(const std::string& text, bool quiet, Differences& all) try {
   const auto adapter = adapters::start(text);
   if (const auto* d = adapters::description_of(text))
     if (const std::string how = adapters::changed(*d, adapter->description()); !how.empty())
-      throw std::invalid_argument(fmt::format(
-          "--adapter: '{}' was started twice and describes itself otherwise: {}", printable(text), how));
+      throw std::invalid_argument(fmt::format("--adapter: '{}': {}", printable(text), how));
   const adapters::Checked checked = adapters::check(*adapter);
   probed.reset();
   for (const conventions::Finding& found : checked.findings) {
@@ -112,9 +111,7 @@ void withhold(const std::string& text, bool quiet, Differences& all) try {
     if (found.named || wrong)
       for (const std::string& o : found.operations)
         all.probed.push_back({adapter->description().name, o, found.sentence, wrong});
-    if (wrong)
-      all.wrong.push_back({adapter->description().name, found.operations.front(), found.sentence});
-    else if (!found.usual)
+    if (!wrong && !found.usual)
       (found.named ? all.conventions : found.choice ? all.choices : unexplained).push_back(found.sentence);
   }
   for (const adapters::CheckedOperation& o : checked.operations)
@@ -162,7 +159,8 @@ std::string text_of(const Differences& found, const std::vector<WrongCall>& wron
 
 void check_conventions(const std::string& text) {
   const Differences found = AdapterFlags{{text}}.withhold_others();
-  for (const WrongWhenProbed& wrong : found.wrong) print_warnings({wrong.sentence});
+  for (const ProbedOperation& o : found.probed)
+    if (o.wrong) print_warnings({o.sentence});
   if (!found.conventions.empty())
     throw std::invalid_argument(
         fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter",

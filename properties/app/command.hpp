@@ -2,7 +2,6 @@
 // The commands of the program, each in a file of its name. Flags, exit codes, signals and records, which the
 // commands share, are declared here, too. This header hides CLI11, which takes five seconds to compile.
 
-#include <campaign/beside_cases.hpp>
 #include <cstdint>
 #include <failures/wrong_calls.hpp>
 #include <functional>
@@ -150,7 +149,6 @@ struct Differences {
   std::vector<std::string> conventions;  ///< others than liecheck's
   std::vector<std::string> choices;  ///< that the adapter does not state, and that are others than liecheck's
   std::vector<std::string> outside = {};  ///< what the adapter lacks, and what is therefore not judged
-  std::vector<WrongWhenProbed> wrong = {};
   std::vector<ProbedOperation> probed = {};  ///< those in another convention, and the wrong ones
 };
 /// What is wrong, and what is not judged, and the remarks: an empty line before each.

@@ -119,12 +119,13 @@ int run(const CompareFlags& f) {
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  CommandWith<CompareFlags> a(program, "compare",
-                              "print what got worse from store A to store B: failures, NaN, wrong branches "
-                              "and cliffs that are new, and "
-                              "errors that more than doubled and thereby used up a quarter of their limit. "
-                              "Exit code 0 if nothing did; 1 if "
-                              "anything did; 2 for bad input; 3 if a store lacks cases or verdicts");
+  CommandWith<CompareFlags> a(
+      program, "compare",
+      "print what got worse from store A to store B: failures, NaN, wrong branches, "
+      "cliffs and failing hard cases that are new, operations in another convention, and "
+      "errors that more than doubled and thereby used up a quarter of their limit. "
+      "Exit code 0 if nothing did; 1 if "
+      "anything did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   a.output("--markdown", a->markdown, "FILE",

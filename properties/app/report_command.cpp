@@ -100,7 +100,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
   run.result.measured = run.result.measured && differ.empty();
   std::vector<std::string> remarks;
-  run.result.wrong_calls = wrong_calls_beside(run.result, found.wrong, remarks);
+  run.result.wrong_calls = wrong_calls_beside(run.result, found.probed, remarks);
   print_warnings(remarks);
   for (const WrongCall& call : run.result.wrong_calls)
     warn(fmt::format("wrong: {}: {}\n", call.subject, call.sentence));

@@ -9,7 +9,7 @@ namespace liecheck::properties {
 /// What the probe of an adapter finds of one operation.
 struct ProbedOperation {
   std::string subject, operation, sentence;
-  bool judged = false;  ///< it is wrong; otherwise it has another convention, and no law judges it
+  bool wrong = false;  ///< or a stated choice is broken; otherwise it has another convention, and no law judges it
   bool operator==(const ProbedOperation&) const = default;
 };
 

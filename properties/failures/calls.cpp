@@ -111,21 +111,6 @@ std::vector<double> given_numbers(const Series& series, const NotedCall& call) {
   return poses_as_quaternions(*call.operation, call.arguments, series.format().is_float());
 }
 
-std::vector<GivenArgument> given_arguments(const Series& series, const NotedCall& call) {
-  const bool in_quaternions = series.tested_subject().takes.quaternion_poses;
-  const std::vector<double> numbers = given_numbers(series, call);
-  std::vector<GivenArgument> all;
-  auto from = numbers.begin();
-  for (const Layout* l : call.operation->arguments) {
-    GivenArgument& next = all.emplace_back(in_quaternions ? with_quaternion(*l) : *l);
-    const std::size_t size = conventions::size_of(next.layout);
-    if (size > static_cast<std::size_t>(numbers.end() - from)) return {};
-    next.numbers.assign(from, from + static_cast<std::ptrdiff_t>(size));
-    from += static_cast<std::ptrdiff_t>(size);
-  }
-  return all;
-}
-
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   CaseId raw = id;
   if (!id.raw) raw.raw = true, raw.input = series.input(id);

@@ -32,12 +32,6 @@ struct NotedCase {
 
 /// The arguments of a call as the subject is given them, whose poses may be (p, Q).
 std::vector<double> given_numbers(const Series& series, const NotedCall& call);
-struct GivenArgument {
-  Layout layout;
-  std::vector<double> numbers;
-};
-/// The same one by one; none if there are fewer numbers. Throws std::logic_error if the model of a robot determines the size of an argument.
-std::vector<GivenArgument> given_arguments(const Series& series, const NotedCall& call);
 
 /// Measures a case once more and notes its calls that concern an output.
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output);

@@ -257,12 +257,6 @@ std::string turned_text(const Series& series, const Output& output, const NotedC
                      numbers_text(series, call->result), wrong, numbers_text(series, right));
 }
 
-/// The order in which a subject is given the numbers of a call, and what its arguments are in it.
-struct OwnOrder {
-  conventions::Order order;
-  std::vector<std::pair<Layout, std::string>> arguments;  ///< with " (x, y, z, w)", or ""
-};
-
 /// " (rho, phi)": the parts of an argument, whose numbers have these places among the subject's; "" of a vector, and of a
 /// matrix by rows.
 std::string parts_text(const Layout& layout, std::span<const int> places) {
@@ -288,17 +282,19 @@ std::string parts_text(const Layout& layout, std::span<const int> places) {
   return fmt::format(" ({})", fmt::join(names, ", "));
 }
 
-/// Throws std::logic_error if the model of a robot determines the size of an argument.
-OwnOrder own_order(const NotedCall& call, const conventions::Statements& stated) {
-  const bool in_quaternions = conventions::has_quaternion_poses(stated);
-  OwnOrder own{conventions::rearranged(*call.operation, stated).arguments, {}};
-  std::span<const int> left(own.order);
-  for (const Layout* l : call.operation->arguments) {
-    const Layout layout = in_quaternions ? with_quaternion(*l) : *l;
-    own.arguments.emplace_back(layout, parts_text(layout, left));
+/// The arguments of an operation, with " (x, y, z, w)" in the order of an adapter with these statements, or "". Throws
+/// std::logic_error if the model of a robot determines the size of one.
+std::vector<std::pair<Layout, std::string>> arguments_in_order(const Operation& operation,
+                                                               const conventions::Statements& stated) {
+  const conventions::Order order = conventions::rearranged(operation, stated).arguments;
+  std::vector<std::pair<Layout, std::string>> all;
+  std::span<const int> left(order);
+  for (const Layout* l : operation.arguments) {
+    const Layout layout = conventions::has_quaternion_poses(stated) ? with_quaternion(*l) : *l;
+    all.emplace_back(layout, parts_text(layout, left));
     left = left.subspan(conventions::size_of(layout));
   }
-  return own;
+  return all;
 }
 
 /// A number of a matrix by its place in the subject's own order. Those of other results have a name that is theirs in any order.
@@ -356,13 +352,12 @@ std::string worst_number_text(const Series& series, const Output& output, const 
 std::string called_with(const Series& series, const NotedCall& call) try {
   if (call.arguments.size() > most_inputs) return "";
   const adapters::Description* const d = adapters::description_of(series.adapter);
-  const OwnOrder own = own_order(call, d ? d->conventions : conventions::Statements{});
-  std::vector<double> numbers = given_numbers(series, call);
-  if (numbers.size() != own.order.size()) return "";
-  conventions::encode(own.order, given_numbers(series, call).data(), numbers.data());
+  const conventions::Statements stated = d ? d->conventions : conventions::Statements{};
+  const std::vector<double> numbers =
+      conventions::given(*call.operation, stated, call.arguments, series.format().is_float());
   std::vector<std::string> all;
   auto from = numbers.begin();
-  for (const auto& [layout, names] : own.arguments) {
+  for (const auto& [layout, names] : arguments_in_order(*call.operation, stated)) {
     const auto to = from + static_cast<std::ptrdiff_t>(conventions::size_of(layout));
     all.push_back(fmt::format("{}{} = {}", layout.name, names,
                               layout.name == "order" ? order_text(*from) : numbers_text(series, {from, to})));

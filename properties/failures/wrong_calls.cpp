@@ -40,11 +40,12 @@ Found found_of(const CampaignResult& campaign, const std::string& subject, const
 }  // namespace
 
 std::vector<WrongCall> wrong_calls_beside(const CampaignResult& campaign,
-                                          const std::vector<WrongWhenProbed>& wrong,
+                                          const std::vector<ProbedOperation>& probed,
                                           std::vector<std::string>& remarks) {
   std::vector<WrongCall> all;
   std::map<std::string, std::vector<std::string>> wrong_ones;  // by subject
-  for (const auto& [subject, operation, sentence] : wrong) {
+  for (const auto& [subject, operation, sentence, wrong] : probed) {
+    if (!wrong) continue;
     const Found found = found_of(campaign, subject, operation);
     if (found == Found::unmeasured) remarks.push_back(sentence);
     if (found != Found::right) continue;

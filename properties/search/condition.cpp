@@ -101,7 +101,7 @@ class ConditionSearch {
         for (const Candidate& part : candidates(i, inputs)) {
           Found next = with({}, part, inputs.size(), failed, 0);
           if (!holds_for_failures(next.counts)) continue;
-          const bool little = trial_.names()[i].unit == " eps" && part.range.low < 16;
+          const bool little = trial_.names()[i].unit == " eps" && part.range.low < 16;  // it is rounding
           if (next.score > of_feature.score && !little) of_feature = next;
           if (next.score > best.score && is_accepted(next) && !(little && in_bands_)) best = next;
         }

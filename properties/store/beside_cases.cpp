@@ -16,7 +16,7 @@ constexpr const char* key = "beside_cases";
 std::string with_beside_cases(const std::string& environment, const BesideCases& beside) {
   json probed = json::array(), failed = json::array();
   for (const ProbedOperation& o : beside.probed)
-    probed.push_back({o.subject, o.operation, o.sentence, o.judged});
+    probed.push_back({o.subject, o.operation, o.sentence, o.wrong});
   for (const FailedHardCase& f : beside.failed)
     failed.push_back({f.subject, f.scalar, f.name, f.operation, f.block, f.verdict});
   json all = parsed(environment);

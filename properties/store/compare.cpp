@@ -244,8 +244,8 @@ void add_beside_cases(const Side& from, const Side& to, bool back, Differences& 
     };
     if (!from.offers(o.subject, "", o.operation) || std::ranges::any_of(was.probed, same)) continue;
     all[{o.subject, "", "", o.operation}].push_back(
-        {before_after(o.judged ? "probe" : "judged", o.judged ? "right" : "yes",
-                      (o.judged ? "wrong: " : "no: ") + o.sentence, back),
+        {before_after(o.wrong ? "probe" : "judged", o.wrong ? "right" : "yes",
+                      (o.wrong ? "wrong: " : "no: ") + o.sentence, back),
          Gravity::broken, before_all_cells});
   }
   if (was.corpus.empty() || was.corpus != is.corpus) return;
@@ -350,7 +350,7 @@ Comparison compared(const StoredCampaign& a, const StoredCampaign& b, bool stric
   Comparison result{listed(worse, after),   listed(better, after),  listed(other, after),
                     only_in(before, after), only_in(after, before), {}};
   for (const ProbedOperation& o : b.spec.beside.probed)
-    if (!o.judged && !before.offers(o.subject, "", o.operation) &&
+    if (!o.wrong && !before.offers(o.subject, "", o.operation) &&
         std::ranges::find(result.unjudged, o.sentence) == result.unjudged.end())
       result.unjudged.push_back(o.sentence);
   return result;

@@ -239,6 +239,26 @@ TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
   }
 }
 
+TEST_F(Stores, WithTrueSealsAndWhatNoCampaignWritesAreRefused) {
+  const StoredCampaign good = load_campaign(run("good", options()));
+  const auto written_as = [&](const std::string& name, auto change) {
+    StoredCampaign bad = good;
+    change(bad.series.at(0));
+    Store(file(name), Store::Open::create).write(bad, false, {});
+    return file(name);
+  };
+  const std::string unseen = written_as("unseen",
+                                        [](StoredSeries&s) { s.labels.begin()->second.band += "\u200b"; }),
+                    lost = written_as("lost", [](StoredSeries&s) {
+                      s.tally.rows.begin()->second.failed = 1, s.failures.clear();
+                    });
+  EXPECT_SAYS(error([&] { load_campaign(unseen); }),
+              "band_name of its table cells has a letter that cannot be seen");
+  EXPECT_SAYS(error([&] { Store(lost, Store::Open::existing).counterexamples(); }), "a failure is missing");
+  EXPECT_SAYS(error([&] { Store(file("new@1"), Store::Open::create); }), "a new one needs another name");
+  EXPECT_FALSE(fs::exists(file("new@1")));
+}
+
 TEST_F(Stores, KeepTheirDataIfTheDiskIsFullOrReadOnly) {
   const std::string name = run("full", options(210));
   const std::string before = text(name);
