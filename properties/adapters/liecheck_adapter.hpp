@@ -45,6 +45,13 @@
 #include <string_view>
 #include <type_traits>
 
+// What follows is hidden, so that two libraries in one process whose structs have the same name do not share their objects.
+#ifdef __GNUC__
+#define LIECHECK_HIDDEN [[gnu::visibility("hidden")]]
+#else
+#define LIECHECK_HIDDEN
+#endif
+
 namespace liecheck::adapter {
 
 struct Sizes {
@@ -96,7 +103,7 @@ concept Computes = requires(const F& f, Object& object, std::span<const S, I> in
   f(object, in, out);
 };
 
-inline std::string& last_reason() {
+LIECHECK_HIDDEN inline std::string& last_reason() {
   thread_local std::string text;
   return text;
 }
@@ -310,7 +317,7 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
 /// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
 /// liecheck_described(object) describes an object that has a state. It is used as long as the library is.
 #define LIECHECK_SUBJECT(Subject, ...)                                                           \
-  inline liecheck_adapter liecheck_described(Subject& object) {                                  \
+  LIECHECK_HIDDEN inline liecheck_adapter liecheck_described(Subject& object) {                  \
     liecheck_adapter all{};                                                                      \
     all.interface_version = LIECHECK_ADAPTER_VERSION;                                            \
     all.name = object.name, all.version = object.version;                                        \
@@ -328,7 +335,7 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
     liecheck::adapter::add_models<Subject>(all);                                                 \
     return all;                                                                                  \
   }                                                                                              \
-  inline const liecheck_adapter& liecheck_subject(const Subject*) {                              \
+  LIECHECK_HIDDEN inline const liecheck_adapter& liecheck_subject(const Subject*) {              \
     static Subject object{};                                                                     \
     static const liecheck_adapter adapter = liecheck_described(object);                          \
     return adapter;                                                                              \

@@ -29,6 +29,21 @@ Values weighted(const Values& a, const Values& b, const Values& other, double t)
   return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
+/// rho turned by `part` of the rotation phi, for xi = (rho, phi) at `from`: a chord as long as the arc.
+Eigen::Vector3d turned_by(double part, const Numbers& x, std::size_t from) {
+  const Eigen::Vector3d phi = part * given(x, from + 3, 3);
+  const double angle = phi.norm();
+  return Eigen::AngleAxisd(angle, angle > 0 ? Eigen::Vector3d(phi / angle) : Eigen::Vector3d::UnitX()) *
+         Eigen::Vector3d(given(x, from, 3));
+}
+/// The same in the plane, for (rho, omega).
+Eigen::Vector2d turned_in_plane(double part, const Numbers& x, std::size_t from) {
+  return Eigen::Rotation2Dd(part * x.at(from + 2)) * Eigen::Vector2d(given(x, from, 2));
+}
+constexpr const char* half_way =
+    "rho turned by half of the rotation (the midpoint rule) in place of V(phi) rho";
+constexpr const char* whole_way = "R rho in place of V(phi) rho";
+
 /// A formula that libraries have in place of the right one, for some numbers of the result.
 struct Alternative {
   const char* operation;
@@ -50,6 +65,9 @@ const Alternative alternatives[] = {
     {"slerp", 0, 4,
      [](const Numbers& x) -> Values { return weighted(given(x, 0, 4), given(x, 4, 4), nearer(x), x[8]); },
      "the weights are those of slerp to the nearer one of Q1 and -Q1, but they multiply Q1"},
+    {"slerp", 0, 4,
+     [](const Numbers& x) -> Values { return weighted(given(x, 0, 4), nearer(x), given(x, 4, 4), x[8]); },
+     "the weights are those of the longer way, but they multiply the nearer one of Q1 and -Q1"},
     {"integrate", 0, 3,
      [](const Numbers& x) -> Values {
        const Numbers right = exact("integrate", x);
@@ -59,6 +77,30 @@ const Alternative alternatives[] = {
        return given(x, 0, 3) + turned;
      },
      "the step is turned by Q1, the orientation at its end, in place of Q0"},
+    {"integrate", 0, 3,
+     [](const Numbers& x) -> Values {
+       return given(x, 0, 3) + Eigen::Quaterniond(&x[3]) * turned_by(0.5, x, 7);
+     },
+     half_way},
+    {"integrate", 0, 3,
+     [](const Numbers& x) -> Values {
+       return given(x, 0, 3) + Eigen::Quaterniond(&x[3]) * turned_by(1, x, 7);
+     },
+     whole_way},
+    {"exp6", 9, 3, [](const Numbers& x) -> Values { return turned_by(0.5, x, 0); }, half_way},
+    {"exp6", 9, 3, [](const Numbers& x) -> Values { return turned_by(1, x, 0); }, whole_way},
+    {"se2_exp", 0, 2, [](const Numbers& x) -> Values { return turned_in_plane(0.5, x, 0); }, half_way},
+    {"se2_exp", 0, 2, [](const Numbers& x) -> Values { return turned_in_plane(1, x, 0); }, whole_way},
+    {"se2_integrate", 0, 2,
+     [](const Numbers& x) -> Values {
+       return given(x, 0, 2) + Eigen::Rotation2Dd(std::atan2(x[3], x[2])) * turned_in_plane(0.5, x, 4);
+     },
+     half_way},
+    {"se2_integrate", 0, 2,
+     [](const Numbers& x) -> Values {
+       return given(x, 0, 2) + Eigen::Rotation2Dd(std::atan2(x[3], x[2])) * turned_in_plane(1, x, 4);
+     },
+     whole_way},
     {"inverse", 9, 3,
      [](const Numbers& x) -> Values { return -RowMajor3(given(x, 0, 9).data()) * given(x, 9, 3); },
      "the translation is -R p in place of -R^T p"},

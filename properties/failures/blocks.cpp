@@ -12,7 +12,7 @@
 namespace liecheck::properties {
 
 namespace {
-constexpr std::string_view not_finite = "NaN or Inf";
+constexpr std::string_view not_finite = "NaN or Inf", refused = "refused";
 }  // namespace
 
 std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
@@ -20,7 +20,7 @@ std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
       {r.crashed, "crashed"},
       {r.not_finite, not_finite.data()},
       {r.wrong_branch, "wrong branch"},
-      {r.refused, "refused"},
+      {r.refused, refused.data()},
       {r.not_repeatable, "not repeatable"},
       {r.argument_written, "wrote to an argument"},
       {r.output_unwritten, "left output unwritten"},
@@ -125,7 +125,7 @@ std::string outcomes_of(const Row& row) {
 
 std::string worst_outcome(const Row& row, bool even_if_rare) {
   for (const auto& [n, name] : outcomes(row))
-    if (even_if_rare || name != not_finite || 4 * n >= 3 * row.failed) return name;
+    if (even_if_rare || (name != not_finite && name != refused) || 4 * n >= 3 * row.failed) return name;
   return "";
 }
 

@@ -64,6 +64,7 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
+  if (elsewhere * 4 > f.failed * 3) return "";  // few results tell nothing of the others
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
   if (operation_of(f) == "log3_matrix" && largest < 0 && !beyond && other)
@@ -298,12 +299,13 @@ std::string guess_of(const FailedBlock& f) {
   for (const auto cause : {float_of, substitution_of, other_order_of, norm_power_of, in_place_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
-  const bool as_a_float = m.largest > 0x1p-27 && m.largest < 0x1p-20;
+  // Other constants have nine digits, and iterations end after five.
+  const bool as_a_float = m.largest > 0x1p-30 && m.largest < 0x1p-14;
   const auto scattered = [](const Operation&, const std::vector<JudgedCall>& all) {
     return std::string(is_scattered(all) ? "scattered" : "");
   };
-  if (m.coarse * 2 > m.all && !euler_angles && (as_a_float || m.same()) && !fails_at_zero(f) &&
-      of_calls(scattered).empty())
+  if (m.coarse * 2 > m.all && !operation_of(f).starts_with("euler_from") && (as_a_float || m.same()) &&
+      !fails_at_zero(f) && of_calls(scattered).empty())
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

@@ -264,6 +264,10 @@ const Relation all_relations[] = {
      [](const CallOf& c) -> Numbers {
        return exact("se2_compose", joined({cut(c.x, 0, 4), c.part(cut(c.x, 4, 3))}));
      }},
+    {"se2_integrate", "se2_compose",
+     [](const CallOf& c) -> Numbers {
+       return c.part(joined({cut(c.x, 0, 4), exact("se2_exp", cut(c.x, 4, 3))}));
+     }},
     {"se2_difference", "se2_log",
      [](const CallOf& c) -> Numbers { return c.part(relative_planar_pose(c.x)); }},
     {"euler_to_matrix", "euler_to_quaternion",

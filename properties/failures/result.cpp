@@ -11,6 +11,7 @@
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
+#include <operations/list.hpp>
 #include <operations/quaternion_poses.hpp>
 #include <operations/trees.hpp>
 #include <oracles/number.hpp>

@@ -16,19 +16,42 @@ namespace {
 
 constexpr std::size_t least = 4;  ///< calls, which tell something
 
-/// The error of each number, of a quaternion with the nearer sign; empty of a result that is right to a millionth, or not finite.
+/// For each number of a result the largest number of its part: of a pose (R, p), (p, Q) or of a block of 3 x 3 numbers.
+Numbers sizes_of(const Numbers& right) {
+  const std::size_t n = right.size();
+  std::vector<std::size_t> parts = n == 12  ? std::vector<std::size_t>{9, 3}
+                                   : n == 7 ? std::vector<std::size_t>{3, 4}
+                                            : std::vector<std::size_t>{n};
+  if (n == 36) parts = {9, 9, 9, 9};
+  Numbers sizes;
+  for (const std::size_t part : parts) {
+    double largest = 0;
+    for (std::size_t i = 0; i < part; ++i) largest = std::max(largest, std::fabs(right[sizes.size() + i]));
+    sizes.insert(sizes.end(), part, largest);
+  }
+  return sizes;
+}
+
+/// The error of each number by the size of its part, of a quaternion with the nearer sign; empty of a result that is right to a
+/// millionth, or not finite.
 Numbers errors_of(const JudgedCall& c) {
   const Numbers &got = c.call.result, &right = c.right;
   if (got.size() != right.size() || !std::ranges::all_of(got, [](double x) { return std::isfinite(x); }))
     return {};
+  const Numbers sizes = sizes_of(right);
   Numbers errors(got.size()), opposite(got.size());
-  double size = 0;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    errors[i] = std::fabs(got[i] - right[i]), opposite[i] = std::fabs(got[i] + right[i]);
-    size = std::max(size, std::fabs(right[i]));
-  }
-  if (got.size() == 4 && std::ranges::max(opposite) < std::ranges::max(errors)) errors = opposite;
-  return std::ranges::max(errors) > 1e-6 * size && size > 1e-30 ? errors : Numbers();
+  for (std::size_t i = 0; i < got.size(); ++i)
+    if (sizes[i] > 1e-30)
+      errors[i] = std::fabs(got[i] - right[i]) / sizes[i],
+      opposite[i] = std::fabs(got[i] + right[i]) / sizes[i];
+  // Either sign of a quaternion is right: the one with which more of its numbers are, or else the nearer one.
+  const auto right_numbers = [](const Numbers& e) {
+    return std::ranges::count_if(e, [](double x) { return x < 1e-9; });
+  };
+  if (got.size() == 4 && std::pair(right_numbers(opposite), -std::ranges::max(opposite)) >
+                             std::pair(right_numbers(errors), -std::ranges::max(errors)))
+    errors = opposite;
+  return std::ranges::max(errors) > 1e-6 ? errors : Numbers();
 }
 
 /// The names of the numbers of a result.
@@ -55,13 +78,15 @@ bool given(const std::vector<JudgedCall>& calls, Other other) {
     if (errors.empty()) continue;
     ++wrong;
     try {
-      const Numbers alternative = other(c);
+      const Numbers alternative = other(c), sizes = sizes_of(c.right);
       if (alternative.size() != errors.size()) continue;
       double apart = 0;
       for (std::size_t i = 0; i < errors.size(); ++i) {
         const double with_sign = std::fabs(c.call.result[i] - alternative[i]),
                      opposite = std::fabs(c.call.result[i] + alternative[i]);
-        apart = std::max(apart, errors.size() == 4 ? std::min(with_sign, opposite) : with_sign);
+        if (sizes[i] > 1e-30)
+          apart =
+              std::max(apart, (errors.size() == 4 ? std::min(with_sign, opposite) : with_sign) / sizes[i]);
       }
       same += apart < 0.01 * std::ranges::max(errors);
     } catch (const std::exception&) {  // these arguments are none of the operation
@@ -86,8 +111,32 @@ std::string other_order_of(const Operation& operation, const std::vector<JudgedC
   return "";
 }
 
+namespace {
+/// A product of two rotations that overwrites one of them, number by number.
+std::string matrix_in_place_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
+  if (operation.name != "compose") return "";
+  constexpr std::size_t of_Y = 12;
+  for (const std::size_t overwritten : {std::size_t(0), of_Y})
+    if (given(calls, [&](const JudgedCall& c) {
+          Numbers x = c.call.arguments, y = c.right;
+          for (std::size_t i = 0; i < 9; ++i) {
+            y[i] = 0;
+            for (std::size_t k = 0; k < 3; ++k) y[i] += x[i / 3 * 3 + k] * x[of_Y + 3 * k + i % 3];
+            x[overwritten + i] = y[i];
+          }
+          return y;
+        }))
+      return fmt::format(
+          "the product of rotations is computed in place (aliasing): its first numbers overwrite those of "
+          "the {} factor that the others need",
+          overwritten == 0 ? "first" : "second");
+  return "";
+}
+}  // namespace
+
 std::string in_place_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   if (operation.results.size() != 1) return "";
+  if (std::string text = matrix_in_place_of(operation, calls); !text.empty()) return text;
   struct Vector {
     std::string_view name;
     std::size_t from;
@@ -125,41 +174,52 @@ std::string in_place_of(const Operation& operation, const std::vector<JudgedCall
 }
 
 std::string norm_power_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
-  std::size_t Q = 0, n = 0;  // where the quaternion starts, and the numbers of all arguments
-  const Part* moved = nullptr;
-  std::size_t at_moved = 0;
+  struct Place {
+    std::string name;
+    std::size_t from;
+  };
+  std::vector<Place> quaternions, origins;  // what does not change with |Q|
+  std::size_t n = 0;
   for (const Layout* l : operation.arguments)
     for (const Part& p : l->parts) {
-      if (p.size == 4) Q = n + 1;
-      if (p.size == 3) moved = &p, at_moved = n;
+      const std::string name(p.name == "Q" && l->parts.size() > 1 ? fmt::format("{}.Q", l->name) : p.name);
+      if (p.size == 4) quaternions.push_back({name, n});
+      if (p.size == 3) origins.push_back({name, n});
       n += static_cast<std::size_t>(std::max(p.size, 0));
     }
-  if (Q == 0 || operation.results.size() != 1 || operation.results[0]->parts[0].size != 3) return "";
-  const auto norm = [Q](const JudgedCall& c) {
-    const double* const q = c.call.arguments.data() + Q - 1;
-    return std::hypot(std::hypot(q[0], q[1], q[2]), q[3]);
-  };
-  std::vector<JudgedCall> ordinary;  // whose |Q|^2 neither overflows nor underflows
-  std::ranges::copy_if(calls, std::back_inserter(ordinary),
-                       [&](const JudgedCall& c) { return norm(c) > 1e-100 && norm(c) < 1e100; });
-  const auto times = [](int power) {
-    return power == 1 ? "|Q| times the right one" : fmt::format("|Q|^{} times the right one", power);
-  };
-  for (const int power : {1, -1, 2, -2})
-    for (const bool from_moved : {false, true}) {
-      if (from_moved && !moved) continue;
-      if (given(ordinary, [&](const JudgedCall& c) {
-            const double factor = std::pow(norm(c), power);
-            Numbers y = c.right;
-            for (std::size_t i = 0; i < 3; ++i) {
-              const double origin = from_moved ? c.call.arguments[at_moved + i] : 0;
-              y[i] = origin + factor * (y[i] - origin);
-            }
-            return y;
-          }))
-        return from_moved ? fmt::format("the change of {} is {}", moved->name, times(power))
-                          : fmt::format("where it fails, the result is {}", times(power));
-    }
+  const auto size = static_cast<std::size_t>(std::max(operation.results[0]->parts[0].size, 0));
+  if (operation.results.size() != 1 || (size != 3 && size != 9)) return "";
+  if (size == 9) origins = {{"R - 1", 0}};
+  for (const Place& Q : quaternions) {
+    const auto norm = [&Q](const JudgedCall& c) {
+      const double* const q = c.call.arguments.data() + Q.from;
+      return std::hypot(std::hypot(q[0], q[1], q[2]), q[3]);
+    };
+    std::vector<JudgedCall> ordinary;  // whose |Q|^2 neither overflows nor underflows
+    std::ranges::copy_if(calls, std::back_inserter(ordinary),
+                         [&](const JudgedCall& c) { return norm(c) > 1e-100 && norm(c) < 1e100; });
+    for (const int power : {1, -1, 2, -2})
+      for (std::size_t k = 0; k <= origins.size();
+           ++k) {  // all of the result, and then its change of each origin
+        if (!given(ordinary, [&](const JudgedCall& c) {
+              const double factor = std::pow(norm(c), power);
+              Numbers y = c.right;
+              for (std::size_t i = 0; i < size; ++i) {
+                const double origin = k == 0      ? 0
+                                      : size == 3 ? c.call.arguments[origins[k - 1].from + i]
+                                                  : static_cast<double>(i % 4 == 0);
+                y[i] = origin + factor * (y[i] - origin);
+              }
+              return y;
+            }))
+          continue;
+        const std::string times =
+            fmt::format("|{}|{} times the right one", Q.name, power == 1 ? "" : fmt::format("^{}", power));
+        if (k == 0) return fmt::format("where it fails, the result is {}", times);
+        return size == 9 ? fmt::format("where it fails, R - 1 is {}: {} is not normalised", times, Q.name)
+                         : fmt::format("the change of {} is {}", origins[k - 1].name, times);
+      }
+  }
   return "";
 }
 
@@ -175,7 +235,7 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   }
   std::vector<std::size_t> those;
   for (std::size_t i = 0; i < wrong.size(); ++i)
-    if (20 * wrong[i] > judged.size()) those.push_back(i);
+    if (10 * wrong[i] > judged.size()) those.push_back(i);
   constexpr std::size_t most_named = 4;
   if (judged.size() < least || those.empty() || 3 * those.size() > names.size() || those.size() > most_named)
     return "";
@@ -188,7 +248,7 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   std::vector<std::string> text;
   for (const std::size_t i : those) text.push_back(names[i]);
   const auto exchanged = [&](const JudgedCall* c) {
-    const double most = 0.01 * std::ranges::max(errors_of(*c));
+    const double most = 0.01 * std::ranges::max(errors_of(*c)) * sizes_of(c->right)[those[0]];
     return std::fabs(c->call.result[those[0]] - c->right[those[1]]) < most &&
            std::fabs(c->call.result[those[1]] - c->right[those[0]]) < most;
   };

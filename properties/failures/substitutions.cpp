@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <conventions/values.hpp>
+#include <failures/part_changes.hpp>
 #include <failures/relations.hpp>
 #include <functional>
 #include <invariants/tree_laws.hpp>
@@ -15,126 +17,6 @@
 namespace liecheck::properties {
 
 namespace {
-
-using Span = std::span<double>;
-
-/// A part of the arguments or of the result: its numbers start at `from`.
-struct Place {
-  const Layout* layout;
-  const Part* part;
-  std::size_t from, size;
-  Span in(Numbers& x) const { return Span(x).subspan(from, size); }
-  std::span<const double> in(const Numbers& x) const { return std::span(x).subspan(from, size); }
-};
-std::vector<Place> places_of(std::span<const Layout* const> layouts) {
-  std::vector<Place> all;
-  std::size_t from = 0;
-  for (const Layout* l : layouts)
-    for (const Part& p : l->parts) {
-      const auto size = static_cast<std::size_t>(std::max(p.size, 0));
-      all.push_back({l, &p, from, size});
-      from += size;
-    }
-  return all;
-}
-
-/// A change of some numbers, in words.
-struct Change {
-  std::string text;
-  std::function<void(Numbers&)> apply;
-};
-
-/// The name of a part among all: with its argument's name if another argument has a part of this name.
-std::string name_of(const Place& place, const std::vector<Place>& all) {
-  const auto alike = std::ranges::count(all, place.part->name, [](const Place& p) { return p.part->name; });
-  return alike > 1 ? fmt::format("{} of {}", place.part->name, place.layout->name)
-                   : std::string(place.part->name);
-}
-std::string number_of(const Place& place, std::size_t i, const std::vector<Place>& all) {
-  const std::string name = conventions::number_name(*place.part, i), part(place.part->name);
-  return name + name_of(place, all).substr(part.size());
-}
-bool is_quaternion(const Place& p) {
-  return p.size == 4 && p.part->name.starts_with("Q");
-}
-void transpose(Span m) {
-  const auto n = static_cast<std::size_t>(std::lround(std::sqrt(m.size())));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < i; ++k) std::swap(m[i * n + k], m[k * n + i]);
-}
-
-/// The changes of one part alone. Of a result, the text says what the part is; of an argument, what takes its place.
-void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
-                 std::vector<Change>& changes) {
-  const std::string name = name_of(at, all);
-  const auto add = [&](std::string text, auto change) {
-    changes.push_back({std::move(text), [at, change](Numbers& x) { change(at.in(x)); }});
-  };
-  const auto whole = [&](const std::string& as_result, const std::string& as_argument, auto change) {
-    add(of_result ? as_result : as_argument, change);
-  };
-  const auto number = [&](std::size_t i, const std::string& as_result, const std::string& as_argument,
-                          auto change) {
-    const std::string one = number_of(at, i, all);
-    add(of_result ? fmt::format("right but for {}, which is {}", one, as_result)
-                  : fmt::format(fmt::runtime(as_argument), one),
-        change);
-  };
-  if (at.part->name == "order")
-    return add("the same axes, static for rotating or rotating for static,",
-               [](Span x) { x[0] += static_cast<int>(x[0]) % 2 == 0 ? 1 : -1; });
-  if (at.size == 9 || at.size == 36) whole("the transposed one", name + " transposed", transpose);
-  if (is_quaternion(at)) {
-    whole("the conjugate of the right one", name + " conjugated, which is the inverse rotation,",
-          [](Span x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
-    whole("in the order w, x, y, z", name + " in the order w, x, y, z",
-          [](Span x) { std::ranges::rotate(x, x.end() - 1); });
-  }
-  whole("0", name + " = 0", [](Span x) { std::ranges::fill(x, 0.0); });
-  whole("the opposite of the right one", "-" + name, [](Span x) {
-    for (double& v : x) v = -v;
-  });
-  if (at.size == 1) {
-    whole("its absolute value", "|" + name + "|", [](Span x) { x[0] = std::fabs(x[0]); });
-    for (const double factor : {2.0, 0.5})
-      whole(fmt::format("{} times the right one", factor), fmt::format("{} {}", factor, name),
-            [factor](Span x) { x[0] *= factor; });
-    return;
-  }
-  if (at.size == 3)
-    whole("in the opposite order", name + " in the opposite order", [](Span x) { std::ranges::reverse(x); });
-  if (at.size == 9)
-    whole("right but for the numbers beside the diagonal, which are 0",
-          name + " without what is beside its diagonal", [](Span x) {
-            for (std::size_t i = 0; i < 9; ++i) x[i] = i % 4 == 0 ? x[i] : 0;
-          });
-  for (std::size_t i = 0; i < at.size; ++i) {
-    number(i, "0", "{} = 0", [i](Span x) { x[i] = 0; });
-    number(i, "of the opposite sign", "{} of the opposite sign", [i](Span x) { x[i] = -x[i]; });
-    if (at.size > 4) continue;
-    for (std::size_t k = 0; k < at.size; ++k) {
-      if (k == i) continue;
-      const std::string other = number_of(at, k, all);
-      number(i, "the right " + other, other + " in place of {}", [i, k](Span x) { x[i] = x[k]; });
-      if (k < i)
-        number(i, fmt::format("exchanged with {}", other), other + " and {} exchanged",
-               [i, k](Span x) { std::swap(x[i], x[k]); });
-    }
-  }
-}
-/// Those of two parts of one size.
-void add_exchanges(const std::vector<Place>& all, std::vector<Change>& changes) {
-  for (const Place& a : all)
-    for (const Place& b : all) {
-      if (a.from == b.from || a.size != b.size) continue;
-      const std::string one = name_of(a, all), other = name_of(b, all);
-      if (a.from < b.from)
-        changes.push_back({fmt::format("{} and {} exchanged", one, other),
-                           [a, b](Numbers& x) { std::ranges::swap_ranges(a.in(x), b.in(x)); }});
-      changes.push_back({fmt::format("{} in place of {}", other, one),
-                         [a, b](Numbers& x) { std::ranges::copy(b.in(x), a.in(x).begin()); }});
-    }
-}
 
 /// R of a part that is a rotation.
 Eigen::Matrix3d rotation_in(std::span<const double> x) {
@@ -224,6 +106,18 @@ class Wrong {
       if (!gives(i, other) && ++missed > allowed) return false;
     return true;
   }
+  /// By what the right numbers must be multiplied to be those of the first call in which they are large; 0 if there is none.
+  double factor(const Place& at) const {
+    for (const JudgedCall* c : calls_) {
+      double of_both = 0, of_right = 0;
+      for (std::size_t k = at.from; k < at.from + at.size; ++k)
+        of_both += c->call.result[k] * c->right[k], of_right += c->right[k] * c->right[k];
+      if (of_right > 1e-6 * std::pow(size_of_part({at.layout, at.part, 0, c->right.size()}, c->right), 2) &&
+          std::isfinite(of_both / of_right))
+        return of_both / of_right;
+    }
+    return 0;
+  }
   /// The parts that are wrong, in words, if they are the same ones in all calls.
   std::string subject() const {
     for (const auto& parts : parts_)
@@ -282,6 +176,55 @@ std::string of_another_frame(const Operation& operation, const std::vector<Place
                              wrong.subject(), R);
     }
   }
+  return "";
+}
+
+/// The upper right block of a 6 x 6 Jacobian or adjoint with the diagonal block D, or its inverse, as a factor too many or too few.
+std::string of_coupling(const Operation& operation, const Wrong& wrong) {
+  if (!is_in_blocks(operation)) return "";
+  using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  constexpr const char* factors[] = {"", "D", "D^-1"};
+  for (int left = 0; left < 3; ++left)
+    for (int right = 0; right < 3; ++right) {
+      if (left + right == 0 || !wrong.given_by([&](const JudgedCall& c) {
+            Numbers x = c.right;
+            const Block D(x.data()), D_inverse = D.inverse(), one = Block::Identity();
+            const Block* const by[] = {&one, &D, &D_inverse};
+            Eigen::Map<Block> coupling(&x[9]);
+            coupling = Block(*by[left] * coupling * *by[right]);
+            return x;
+          }))
+        continue;
+      return fmt::format(
+          "where it fails, the upper right block C is{}{} C{}{}, with the upper left block D: a factor is "
+          "missing, on the wrong side, or one too many",
+          left == 0 ? "" : " ", factors[left], right == 0 ? "" : " ", factors[right]);
+    }
+  return "";
+}
+
+/// A factor, the same in all wrong results, of a part of the result or of one of its numbers.
+std::string factor_of(const Wrong& wrong) {
+  for (const Place& part : wrong.results())
+    for (std::size_t i = 0; i <= part.size && (i == 0 || part.size <= 9);
+         ++i) {  // all numbers, and then each
+      const Place at{part.layout, part.part, part.from + (i == 0 ? 0 : i - 1), i == 0 ? part.size : 1};
+      const double factor = wrong.factor(at);
+      if (factor == 0 || !wrong.given_by([&](const JudgedCall& c) {
+            Numbers x = c.right;
+            for (double& v : at.in(x)) v *= factor;
+            // A small result agrees with any small factor to a hundredth of the error.
+            return distance(at, x, c.call.result) < 0.01 * size_of_part(at, x) ? x : Numbers();
+          }))
+        continue;
+      const std::string times =
+          std::fabs(factor - 1) < 1e-2
+              ? fmt::format("1 {} {:.2g}", factor < 1 ? '-' : '+', std::fabs(factor - 1))
+              : fmt::format("{:.4g}", factor);
+      return i == 0 ? fmt::format("where it fails, {} is the right one times {}", wrong.subject(), times)
+                    : fmt::format("where it fails, {} is right but for {}, which is the right one times {}",
+                                  wrong.subject(), number_of(part, i - 1, wrong.results()), times);
+    }
   return "";
 }
 
@@ -359,6 +302,13 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
             return fmt::format("where it fails, {} is right but for {}, which is {}", wrong.subject(),
                                number_of(part, i, wrong.results()),
                                number_of(at, k, places) + " of the arguments");
+  for (const Place& part : wrong.results())
+    if (is_quaternion(part) && wrong.given_by([&](const JudgedCall& c) {
+          Numbers x = c.right;
+          std::ranges::fill(part.in(x), 0.0), part.in(x)[3] = 1;
+          return x;
+        }))
+      return fmt::format("where it fails, {} is the identity (0, 0, 0, 1)", wrong.subject());
   std::vector<Change> changes;
   for (const Place& p : wrong.results()) add_changes(p, wrong.results(), true, changes);
   add_exchanges(wrong.results(), changes);
@@ -379,7 +329,9 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
           return in_blocks(operation, exact(operation.name.data(), x));
         }))
       return fmt::format("where it fails, {} is what {} would give", wrong.subject(), change.text);
-  return of_another_frame(operation, places, wrong);
+  if (std::string text = of_another_frame(operation, places, wrong); !text.empty()) return text;
+  if (std::string text = of_coupling(operation, wrong); !text.empty()) return text;
+  return factor_of(wrong);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <generators/tree_layout.hpp>
+#include <oracles/scalar.hpp>
 #include <oracles/tree.hpp>
 #include <span>
 
@@ -29,6 +30,7 @@ class TreeNumbers {
   JointKind kind(int joint) const {
     return static_cast<JointKind>(static_cast<int>(part(at_.kind(joint), 1)[0]));
   }
+  double& mass(int joint) const { return part(at_.mass(joint), 1)[0]; }
   Span of_joint(int joint, int from, int size) const { return part(at_.slot(joint) + from, size); }
   Span gravity() const { return part(at_.gravity(), 3); }
   double& frame_joint() const { return part(at_.frame(), 1)[0]; }
@@ -37,6 +39,29 @@ class TreeNumbers {
   double& wrench_joint() const { return part(at_.wrench(), 1)[0]; }
   Span force() const { return part(at_.wrench() + 1, 3); }
   Span moment() const { return part(at_.wrench() + 4, 3); }
+  /// The rotation from a joint's axes to the world's.
+  Eigen::Quaterniond in_world(int joint) const {
+    using enum JointKind;
+    Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+    for (int i = joint; i >= 0; i = parent(i)) {
+      const int primary = static_cast<int>(part(at_.primary(i), 1)[0]), from = primary < 0 ? i : primary;
+      const Span c = of_joint(from, TreeSlot::q_circle, 2);
+      const bool on_circle = kind(i) == continuous || kind(i) == planar;
+      double angle = on_circle ? std::atan2(c[1], c[0]) : of_joint(from, TreeSlot::q_p, 1)[0];
+      if (primary >= 0)
+        angle = of_joint(i, TreeSlot::multiplier, 1)[0] * angle + of_joint(i, TreeSlot::offset, 1)[0];
+      const Eigen::Vector3d axis(of_joint(i, TreeSlot::axis, 3).data());
+      Eigen::Quaterniond turned = Eigen::Quaterniond::Identity();
+      if (kind(i) == spherical || kind(i) == free_flyer)
+        turned = Eigen::Quaterniond(of_joint(i, TreeSlot::q_Q, 4).data());
+      else if (kind(i) == planar)
+        turned = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
+      else if (kind(i) == revolute || kind(i) == helical || kind(i) == continuous)
+        turned = Eigen::AngleAxisd(angle, axis.normalized());
+      R = Eigen::Quaterniond(of_joint(i, TreeSlot::Q, 4).data()) * turned * R;
+    }
+    return R;
+  }
   /// Hangs the wrench on another joint, if there is such a joint.
   void hang_wrench(int on) const {
     if (wrench_joint() >= 0 && on >= 0 && on < joints()) wrench_joint() = on;
@@ -61,6 +86,17 @@ void conjugate(Span Q) {
 }
 void to_identity(Span Q) {
   to_zero(Q), Q[3] = 1;
+}
+void to_absolute_w(Span Q) {
+  Q[3] = std::fabs(Q[3]);
+}
+void to_float(Span x) {
+  for (double& v : x) v = oracles::rounded_to_float(v);
+}
+/// v, turned by the quaternion Q or back.
+void turn(Span v, const Eigen::Quaterniond& Q, bool back) {
+  Eigen::Map<Eigen::Vector3d> u(v.data());
+  u = back ? Eigen::Vector3d(Q.conjugate() * u) : Eigen::Vector3d(Q * u);
 }
 /// As good as 0: a joint needs an inertia.
 void to_nearly_zero(Span armature) {
@@ -110,6 +146,13 @@ void add_gravity_and_wrench(Changes& c) {
   c.of_tree("the opposite wrench", [](const TreeNumbers& t) { opposite(t.force()), opposite(t.moment()); });
   c.of_tree("the wrench with force and moment exchanged",
             [](const TreeNumbers& t) { std::ranges::swap_ranges(t.force(), t.moment()); });
+  for (const bool back : {true, false})
+    c.of_tree(back ? "the wrench in the world's axes" : "the wrench turned by the rotation of its body",
+              [back](const TreeNumbers& t) {
+                const auto joint = static_cast<int>(t.wrench_joint());
+                if (joint < 0) return;
+                turn(t.force(), t.in_world(joint), back), turn(t.moment(), t.in_world(joint), back);
+              });
   const auto on = [](const TreeNumbers& t) { return static_cast<int>(t.wrench_joint()); };
   c.of_tree("the wrench on the joint before its own",
             [on](const TreeNumbers& t) { t.hang_wrench(on(t) - 1); });
@@ -137,26 +180,38 @@ void add_rates(Changes& c) {
     c.of_joints("v = 0 " + joints, "columns 0 " + joints, TreeSlot::v, 6, to_zero, has);
     c.of_joints("-v " + joints, "columns of the opposite sign " + joints, TreeSlot::v, 6, opposite, has);
     c.of_joints("a = 0 " + joints, "", TreeSlot::a, 6, to_zero, has);
-    if (kind == free_flyer || kind == planar)
+    if (kind == free_flyer)
       c.of_joints(
           "linear and angular velocity exchanged " + joints,
           "columns of linear and angular velocity exchanged " + joints, TreeSlot::v, 6,
           [](Span v) { std::ranges::swap_ranges(v.first(3), v.last(3)); }, has);
   }
   for (const bool back : {true, false})
-    c.of_tree(
-        fmt::format("v of free-flyer joints {}",
-                    back ? "taken in the parent's axes" : "turned by the joint's rotation"),
-        [back](const TreeNumbers& t) {
-          for (int i = 0; i < t.joints(); ++i) {
-            if (t.kind(i) != free_flyer) continue;
-            const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
-            for (const int from : {TreeSlot::v + 0, TreeSlot::v + 3, TreeSlot::a + 0, TreeSlot::a + 3}) {
-              Eigen::Map<Eigen::Vector3d> u(t.of_joint(i, from, 3).data());
-              u = back ? Eigen::Vector3d(Q.conjugate() * u) : Eigen::Vector3d(Q * u);
-            }
-          }
-        });
+    c.of_tree(fmt::format("v of free-flyer joints {}",
+                          back ? "taken in the parent's axes" : "turned by the joint's rotation"),
+              [back](const TreeNumbers& t) {
+                for (int i = 0; i < t.joints(); ++i) {
+                  if (t.kind(i) != free_flyer) continue;
+                  const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
+                  for (const int from : {TreeSlot::v + 0, TreeSlot::v + 3, TreeSlot::a + 0, TreeSlot::a + 3})
+                    turn(t.of_joint(i, from, 3), Q, back);
+                }
+              });
+  for (const bool back : {true, false})
+    c.of_tree(fmt::format("the linear velocity of planar joints {}",
+                          back ? "taken in the parent's axes" : "turned by the joint's rotation"),
+              [back](const TreeNumbers& t) {
+                for (int i = 0; i < t.joints(); ++i) {
+                  if (t.kind(i) != planar) continue;
+                  const Span circle = t.of_joint(i, TreeSlot::q_circle, 2);
+                  const double cos = circle[0], sin = back ? -circle[1] : circle[1];
+                  for (const int from : {TreeSlot::v + 0, TreeSlot::a + 0}) {
+                    const Span u = t.of_joint(i, from, 2);
+                    const double x = u[0];
+                    u[0] = cos * x - sin * u[1], u[1] = sin * x + cos * u[1];
+                  }
+                }
+              });
 }
 
 void add_joints(Changes& c) {
@@ -169,11 +224,31 @@ void add_joints(Changes& c) {
   c.of_joints("joints whose placements are not turned", TreeSlot::Q, 4, to_identity);
   c.of_joints("joints whose placements are turned in the opposite direction", TreeSlot::Q, 4, conjugate);
   c.of_joints("joints whose placements are not shifted", TreeSlot::p, 3, to_zero);
+  for (const bool back : {false, true}) {
+    const auto turned = [&c, back](const char* what, int from) {
+      c.of_tree(
+          fmt::format("{} turned by the rotation of the joint's placement{}", what, back ? " back" : ""),
+          [back, from](const TreeNumbers& t) {
+            for (int i = 0; i < t.joints(); ++i)
+              turn(t.of_joint(i, from, 3), Eigen::Quaterniond(t.of_joint(i, TreeSlot::Q, 4).data()), back);
+          });
+    };
+    turned("joints' shifts", TreeSlot::p), turned("joints' axes", TreeSlot::axis);
+  }
   c.of_joints("axes of joints in the opposite direction", TreeSlot::axis, 3, opposite);
   c.of_joints("the pitch 0 of helical joints", TreeSlot::pitch, 1, to_zero);
+  c.of_joints("the pitch 0 of helical joints where it is negative", TreeSlot::pitch, 1,
+              [](Span x) { x[0] = std::max(x[0], 0.0); });
+  c.of_joints("|pitch| of helical joints", TreeSlot::pitch, 1, [](Span x) { x[0] = std::fabs(x[0]); });
   c.of_joints("-pitch of helical joints", TreeSlot::pitch, 1, opposite);
   c.of_joints("multipliers of mimics that are 1", TreeSlot::multiplier, 1, [](Span x) { x[0] = 1; });
   c.of_joints("offsets of mimics that are 0", TreeSlot::offset, 1, to_zero);
+  for (const JointKind kind : {spherical, free_flyer}) {  // where all w < 0, this is the conjugate
+    const std::string text = fmt::format("|w| in place of w in the quaternion in q of {} joints",
+                                         oracles::joint_names[static_cast<std::size_t>(kind)]);
+    c.of_joints(text, text, TreeSlot::q_Q, 4, to_absolute_w,
+                [kind](const TreeNumbers& t, int i) { return t.kind(i) == kind; });
+  }
   c.of_joints("quaternions of q conjugated", TreeSlot::q_Q, 4, conjugate);
   c.of_joints("quaternions of q in the order w, x, y, z", TreeSlot::q_Q, 4, from_w);
   for (const JointKind kind : {spherical, free_flyer}) {
@@ -200,6 +275,10 @@ void add_joints(Changes& c) {
     const std::string joints = fmt::format("of {} joints", oracles::joint_names[static_cast<std::size_t>(k)]);
     c.of_joints("an armature of 0 " + joints, "", TreeSlot::armature, 1, to_nearly_zero, has);
     c.of_joints("axes in the opposite direction " + joints, "", TreeSlot::axis, 3, opposite, has);
+    const auto kind = static_cast<JointKind>(k);
+    if (kind != revolute && kind != prismatic && kind != helical) continue;
+    c.of_joints("q = 0 " + joints, "q = 0 " + joints, TreeSlot::q_p, 1, to_zero, has);
+    c.of_joints("-q " + joints, "-q " + joints, TreeSlot::q_p, 1, opposite, has);
   }
 }
 
@@ -211,6 +290,39 @@ void add_bodies_and_frame(Changes& c) {
               [](Span I) { I[1] = I[3] = I[4] = 0; });
   c.of_joints("inertias I_C in the order xx, xy, xz, yy, yz, zz", TreeSlot::I, 6,
               [](Span I) { std::swap(I[2], I[3]); });
+  c.of_joints("products of inertia of the opposite sign", TreeSlot::I, 6,
+              [](Span I) { I[1] = -I[1], I[3] = -I[3], I[4] = -I[4]; });
+  for (const auto& [text, times] :
+       {std::pair("inertias about the centres of mass, not moved to the joints' origins,", -1.0),
+        std::pair("inertias moved to the joints' origins twice", 1.0),
+        std::pair("inertias moved to the joints' origins with the opposite sign", -2.0)})
+    c.of_tree(text, [times](const TreeNumbers& t) {
+      for (int i = 0; i < t.joints(); ++i) {  // adds times m (c^2 1 - c c^T)
+        const Eigen::Vector3d com(t.of_joint(i, TreeSlot::c, 3).data());
+        const Eigen::Matrix3d more =
+            times * t.mass(i) * (com.squaredNorm() * Eigen::Matrix3d::Identity() - com * com.transpose());
+        const Span I = t.of_joint(i, TreeSlot::I, 6);
+        I[0] += more(0, 0), I[1] += more(0, 1), I[2] += more(1, 1);
+        I[3] += more(0, 2), I[4] += more(1, 2), I[5] += more(2, 2);
+      }
+    });
+  struct Rounded {
+    const char* what;
+    int from, size;
+  };
+  for (const Rounded& r :
+       {Rounded{"inertias I_C", TreeSlot::I, 6}, Rounded{"centres of mass", TreeSlot::c, 3},
+        Rounded{"placements of joints", TreeSlot::Q, 7}, Rounded{"axes of joints", TreeSlot::axis, 3},
+        Rounded{"q", TreeSlot::q_p, 9}, Rounded{"v", TreeSlot::v, 6}, Rounded{"a", TreeSlot::a, 6}})
+    c.of_joints(fmt::format("{} rounded to float", r.what), r.from, r.size, to_float);
+  c.of_tree("masses rounded to float", [](const TreeNumbers& t) {
+    for (int i = 0; i < t.joints(); ++i) t.mass(i) = oracles::rounded_to_float(t.mass(i));
+  });
+  c.of_tree("gravity rounded to float", [](const TreeNumbers& t) { to_float(t.gravity()); });
+  for (const bool back : {false, true})
+    c.of_tree(
+        back ? "the frame's shift turned by its rotation back" : "the frame's shift turned by its rotation",
+        [back](const TreeNumbers& t) { turn(t.frame_p(), Eigen::Quaterniond(t.frame_Q().data()), back); });
   c.of_tree("the frame not turned", [](const TreeNumbers& t) { to_identity(t.frame_Q()); });
   c.of_tree("the frame turned in the opposite direction",
             [](const TreeNumbers& t) { conjugate(t.frame_Q()); });

@@ -135,6 +135,7 @@ constexpr ChangedResult changed_results[]{
     {"0", [](double, bool) { return 0.0; }},
     {"the opposite of the right one", [](double x, bool) { return -x; }},
     {"twice the right one", [](double x, bool) { return 2 * x; }},
+    {"rounded to float", [](double x, bool) { return oracles::rounded_to_float(x); }},
     {"half of the right one", [](double x, bool) { return x / 2; }},
     {"right but for numbers that are 0", [](double x, bool wrong) { return wrong ? 0 : x; }},
     {"right but for numbers of the opposite sign", [](double x, bool wrong) { return wrong ? -x : x; }}};

@@ -345,6 +345,27 @@ TEST(Adapters, StatedConventionsThatAreUnknownOrWrongAreSaidInWords) {
             0);
 }
 
+TEST(Adapters, TwoLibrariesInOneProcessWhoseStructsHaveOneNameStayApart) {
+  const std::string folder = own_folder();
+  std::ofstream(folder + "named.cpp") << R"(#include <liecheck_adapter.hpp>
+struct Mine {
+  const char *name = NAME, *version = "1";
+  void normalize(std::span<const double, 4> Q, std::span<double, 4> Q_n) {
+    for (int i = 0; i < 4; ++i) Q_n[i] = Q[i];
+  }
+};
+LIECHECK_ADAPTER(Mine, normalize)
+)";
+  for (const std::string name : {"first", "second"}) {
+    const std::string file = folder + name + ".so";
+    const std::string compile = "c++ -std=c++20 -shared -fPIC -I " LIECHECK_FIXTURES
+                                "/../properties/adapters -DNAME='\"" +
+                                name + "\"' " + folder + "named.cpp -o " + file;
+    ASSERT_EQ(std::system(compile.c_str()), 0);
+    EXPECT_EQ(start("in-process:" + file)->description().name, name);
+  }
+}
+
 TEST(Adapters, TheListForAdaptersInCppHasEveryOperation) {
   std::string expected =
       "// Every operation that an adapter can offer: how many numbers it takes and gives.\n";
