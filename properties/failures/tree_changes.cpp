@@ -355,7 +355,8 @@ const std::vector<TreeChange>& tree_changes() {
     add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_bodies_and_frame(c);
     for (TreeChange& change : c.all)
       change.leaves_out = std::ranges::find(without_terms, change.text) != std::end(without_terms) ||
-                          change.text.starts_with("v = 0 of ");
+                          change.text.starts_with("v = 0 of "),
+      change.any_inertia = change.text.find("moved to the joints' origins") != std::string::npos;
     return std::move(c.all);
   }();
   return all;

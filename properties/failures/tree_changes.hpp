@@ -15,6 +15,7 @@ struct TreeChange {
   bool leaves_out = false;  ///< whether terms of a right formula are 0 after it
   /// Changes the numbers of a random tree (generators/tree_layout.hpp).
   std::function<void(std::vector<double>&)> apply;
+  bool any_inertia = false;  ///< whether bodies may have inertias after it that no body has
 };
 
 /// The simplest first.

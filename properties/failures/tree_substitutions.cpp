@@ -214,7 +214,7 @@ std::string tree_substitution_of(const Series& series, std::size_t output) try {
           Numbers x = tree.input;
           change.apply(x);
           if (x == tree.input) return tree.right;
-          if (!series.tested_law().valid(x)) return {};
+          if (!change.any_inertia && !series.tested_law().valid(x)) return {};
           const Comparisons c = comparisons_of(series, output, x);
           if (tree.measurement >= c.exact.size()) return {};
           return c.exact[tree.measurement];

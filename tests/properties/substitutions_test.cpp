@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <campaign/campaign.hpp>
 #include <campaign/robots.hpp>
 #include <cmath>
 #include <failures/relations.hpp>
 #include <failures/single_numbers.hpp>
 #include "../own_subject.hpp"
+#include "finding_texts.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -82,7 +84,7 @@ TEST(Substitutions, ASmallResultIsNotZero) {
     return substitution_of(op::log3_quaternion, calls);
   };
   EXPECT_EQ(times(0), "where it fails, the result is 0");
-  EXPECT_EQ(times(1e-9), "");
+  EXPECT_EQ(times(1e-9), "where it fails, the result is the right one times 1e-09");
 }
 
 TEST(Substitutions, AnotherOrderOfEulerAngles) {
@@ -107,6 +109,106 @@ TEST(Substitutions, AProductInPlace) {
   EXPECT_EQ(in_place_of(op::rotate_point, calls_of(op::rotate_point, numbers(7),
                                                    [](const auto&, auto& result) { result[1] += 1; })),
             "");
+}
+
+TEST(Substitutions, AProductOfRotationsInPlace) {
+  std::vector<std::vector<double>> poses;
+  for (const std::vector<double>& x : numbers(12)) {
+    poses.push_back(exact("exp6", {x.begin(), x.begin() + 6}));
+    for (const double y : exact("exp6", {x.begin() + 6, x.end()})) poses.back().push_back(y);
+  }
+  const auto calls = calls_of(op::compose, poses, [](const auto& x, auto& result) {
+    Eigen::Matrix3d R;
+    for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = x[static_cast<std::size_t>(i)];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += R(i, k) * x[static_cast<std::size_t>(12 + 3 * k + j)];
+        result[static_cast<std::size_t>(3 * i + j)] = R(i, j) = sum;
+      }
+  });
+  EXPECT_TRUE(says(in_place_of(op::compose, calls), "overwrite those of the first factor"))
+      << in_place_of(op::compose, calls);
+}
+
+TEST(Substitutions, ANumberThatIsNeverNegative) {
+  std::vector<std::vector<double>> beyond_pi;
+  for (std::vector<double>& x : numbers(3)) {
+    const double norm = std::hypot(x[0], x[1], x[2]);
+    for (double& v : x) v *= 4 / norm;
+    beyond_pi.push_back(x);
+  }
+  const auto calls =
+      calls_of(op::exp3_quaternion, beyond_pi, [](const auto&, auto& Q) { Q[3] = std::fabs(Q[3]); });
+  EXPECT_EQ(substitution_of(op::exp3_quaternion, calls),
+            "where it fails, the result is right but for Q.w, which is its absolute value");
+}
+
+TEST(Substitutions, AFactor) {
+  const auto of = [](void (*plant)(const std::vector<double>&, std::vector<double>&)) {
+    return substitution_of(op::log3_quaternion, calls_of(op::log3_quaternion, numbers(4), plant));
+  };
+  EXPECT_EQ(of([](const auto&, auto& phi) {
+              for (double& x : phi) x *= 1.5;
+            }),
+            "where it fails, the result is the right one times 1.5");
+  EXPECT_EQ(of([](const auto&, auto& phi) { phi[1] *= 1 + 1e-4; }),
+            "where it fails, the result is right but for phi[1], which is the right one times 1 + 0.0001");
+  EXPECT_EQ(of([](const auto&, auto& phi) {
+              for (double& x : phi) x *= 2;
+            }),
+            "where it fails, the result is twice the right one");
+}
+
+TEST(Substitutions, AnAngleBeyondPiThatIsWrapped) {
+  std::vector<std::vector<double>> large = numbers(3);
+  for (auto& x : large)
+    for (double& v : x) v *= 5;
+  const auto calls = calls_of(op::left_jacobian3, large, [](const auto& x, auto& J) {
+    const double angle = std::hypot(x[0], x[1], x[2]), wrapped = std::remainder(angle, 2 * EIGEN_PI);
+    J = exact("left_jacobian3", {x[0] * wrapped / angle, x[1] * wrapped / angle, x[2] * wrapped / angle});
+  });
+  EXPECT_EQ(substitution_of(op::left_jacobian3, calls),
+            "where it fails, the result is what phi with its angle brought into [-pi, pi] would give");
+  const auto angles = calls_of(op::twist_angle, numbers(7), [](const auto&, auto& angle) {
+    angle[0] += angle[0] > 0 ? -2 * EIGEN_PI : 2 * EIGEN_PI;
+  });
+  EXPECT_TRUE(says(substitution_of(op::twist_angle, angles), "it is not brought into [-pi, pi]"))
+      << substitution_of(op::twist_angle, angles);
+}
+
+TEST(Substitutions, ACouplingBlockWithAFactorTooFew) {
+  const auto calls = calls_of(op::left_jacobian6_inverse, numbers(6), [](const auto&, auto& J) {
+    using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> all(J.data());
+    const Block D = all.topLeftCorner<3, 3>();
+    all.topRightCorner<3, 3>() *= D.inverse();
+  });
+  auto in_blocks = calls;  // as judged_calls() gives them
+  for (JudgedCall& c : in_blocks)
+    for (std::vector<double>* x : {&c.call.result, &c.right}) {
+      std::vector<double> all;
+      for (const std::size_t corner : {0, 3, 18, 21})
+        for (std::size_t i = 0; i < 9; ++i) all.push_back((*x)[corner + i / 3 * 6 + i % 3]);
+      *x = all;
+    }
+  EXPECT_TRUE(
+      says(substitution_of(op::left_jacobian6_inverse, in_blocks), "the upper right block C is C D^-1"))
+      << substitution_of(op::left_jacobian6_inverse, in_blocks);
+}
+
+TEST(Substitutions, TheIdentity) {
+  const auto calls = calls_of(op::normalize, numbers(4), [](const auto&, auto& Q) { Q = {0, 0, 0, 1}; });
+  EXPECT_EQ(substitution_of(op::normalize, calls), "where it fails, the result is the identity (0, 0, 0, 1)");
+}
+
+TEST(Substitutions, AMatrixOfAQuaternionThatIsNotNormalised) {
+  const auto calls = calls_of(op::quaternion_matrix, numbers(4), [](const auto& x, auto& R) {
+    const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+    for (std::size_t i = 0; i < 9; ++i) R[i] = (i % 4 == 0) + square * (R[i] - (i % 4 == 0));
+  });
+  EXPECT_EQ(norm_power_of(op::quaternion_matrix, calls),
+            "where it fails, R - 1 is |Q|^2 times the right one: Q is not normalised");
 }
 
 TEST(Substitutions, APowerOfTheNormOfQ) {

@@ -2,6 +2,8 @@
 // were compared of which call.
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <functional>
 #include <subjects/call_refused.hpp>
 #include <subjects/tree.hpp>
@@ -55,6 +57,77 @@ TEST(TreeFindings, AWrongJacobianMakesItsRateNotWrong) {
   EXPECT_TRUE(says(all[0], "1  frame_jacobian (")) << all[0];
   EXPECT_TRUE(says(all[0], "            (J v)[")) << all[0];
   EXPECT_TRUE(says(all[0], ", seen in ")) << all[0];
+}
+
+using Body = oracles::BodyOf<double>;
+/// Adds times m (c^2 1 - c c^T) to an inertia.
+void add_steiner(Body& body, double times) {
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      double square = 0;
+      for (int n = 0; n < 3; ++n) square += i == k ? body.c(n, 0) * body.c(n, 0) : 0;
+      body.I_C(i, k) += times * body.mass * (square - body.c(i, 0) * body.c(k, 0));
+    }
+}
+template <class V>
+void turn(const oracles::Quaternion<double>& by, V& v) {
+  const Eigen::Vector3d u = Eigen::Quaterniond(by.x.data()) * Eigen::Vector3d(v.x.data());
+  std::copy_n(u.data(), 3, v.x.begin());
+}
+
+TEST(TreeFindings, SayWhichOtherTreeARightLibraryWouldHaveToBeGiven) {
+  using Joint = oracles::JointOf<double>;
+  struct Fault {
+    const char* words;
+    void (*change)(Joint&);
+  };
+  constexpr double with_sign = -1;
+  const Fault faults[] = {
+      {"products of inertia of the opposite sign",
+       [](Joint& j) {
+         for (int i = 0; i < 3; ++i)
+           for (int k = 0; k < 3; ++k) j.body.I_C(i, k) *= i == k ? 1 : with_sign;
+       }},
+      {"inertias about the centres of mass, not moved to the joints' origins,",
+       [](Joint& j) { add_steiner(j.body, -1); }},
+      {"inertias moved to the joints' origins twice", [](Joint& j) { add_steiner(j.body, 1); }},
+      {"inertias moved to the joints' origins with the opposite sign",
+       [](Joint& j) { add_steiner(j.body, -2); }},
+      {"joints' shifts turned by the rotation of the joint's placement", [](Joint& j) { turn(j.Q, j.p); }},
+      {"joints' axes turned by the rotation of the joint's placement", [](Joint& j) { turn(j.Q, j.axis); }},
+      {"masses rounded to float", [](Joint& j) { j.body.mass = static_cast<float>(j.body.mass); }},
+      {"centres of mass rounded to float", [](Joint& j) {
+         for (double& x : j.body.c.x) x = static_cast<float>(x);
+       }}};
+  for (const Fault& fault : faults) {
+    const auto all = findings_of_tree({"lagrange"}, [&](auto& o, const Tree<double>& tree) {
+      Tree<double> other = tree;
+      for (Joint& j : other.joints) fault.change(j);
+      o[op::tree_rnea] = own_subject().operations.tree(other)[op::tree_rnea];
+    });
+    ASSERT_GE(all.size(), 1u) << fault.words;
+    EXPECT_TRUE(says(all[0], std::string("the result is what ") + fault.words + " would give")) << all[0];
+  }
+}
+
+TEST(TreeFindings, AWrenchInTheAxesOfTheWorld) {
+  const auto all = findings_of_tree({"lagrange"}, [](auto& o, const Tree<double>& tree) {
+    o[op::tree_rnea] = [right = o[op::tree_rnea], tree](const VecX<double>& q, const VecX<double>& v,
+                                                        const VecX<double>& a, int joint,
+                                                        Vec<double, 6> F) -> VecX<double> {
+      if (joint >= 0) {
+        Tree<double> of_joint = tree;
+        of_joint.frame_joint = joint;
+        of_joint.frame_Q.x = {0, 0, 0, 1}, of_joint.frame_p.x = {0, 0, 0};
+        const Mat<double, 3> R = own_subject().operations.tree(of_joint)[op::frame_pose](q).R;
+        F.head<3>() = (R.transpose() * F.head<3>()).eval(),
+        F.tail<3>() = (R.transpose() * F.tail<3>()).eval();
+      }
+      return right(q, v, a, joint, F);
+    };
+  });
+  ASSERT_GE(all.size(), 1u);
+  EXPECT_TRUE(says(all[0], "the result is what the wrench in the world's axes would give")) << all[0];
 }
 
 TEST(TreeFindings, AProductHasItsName) {
