@@ -1,5 +1,6 @@
 // The derivatives of integrate and difference of a whole robot, compared with the oracles joint by joint.
 
+#include <algorithm>
 #include <invariants/robot_states.hpp>
 
 namespace liecheck::properties {
@@ -84,7 +85,8 @@ class RobotDerivatives final : public Law<RobotDerivatives, RobotStates> {
                          oracles::scalar_error(r.scalar(), oracles::exact<Real>(J(s.v, s.v)), Real(value)));
       rest.block(s.v, s.v, n, n).setZero();
     }
-    r.record(output, 0, rest.isZero(0) ? error : std::numeric_limits<double>::infinity());
+    const bool zero = std::all_of(rest.data(), rest.data() + rest.size(), [](double x) { return x == 0; });
+    r.record(output, 0, zero ? error : std::numeric_limits<double>::infinity());
   }
 };
 

@@ -8,8 +8,10 @@
 //
 // The errors have an absolute accuracy of 1e-45; as doubles they have a relative accuracy of 1e-16.
 
+#include <algorithm>
 #include <oracles/ball_error.hpp>
 #include <oracles/log.hpp>
+#include <type_traits>
 
 namespace liecheck::oracles {
 
@@ -41,7 +43,14 @@ inline double in_eps(const Scalar& s, const Real& distance) {
 /// Whether every element of a vector or matrix of any scalar is finite.
 template <class M>
 bool all_finite(const M& m) {
-  if constexpr (requires { m.rows(); }) {
+  if constexpr (requires {
+                  requires std::is_same_v<M, typename M::PlainObject>;
+                }) {  // of Eigen: its numbers follow each other
+    return std::all_of(m.data(), m.data() + m.size(), [](const auto& x) {
+      using std::isfinite;
+      return isfinite(x);
+    });
+  } else if constexpr (requires { m.rows(); }) {
     for (int i = 0; i < m.rows(); ++i)
       for (int j = 0; j < m.cols(); ++j) {
         using std::isfinite;
