@@ -64,7 +64,6 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
-  if (elsewhere * 4 > f.failed * 3) return "";  // few results tell nothing of the others
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
   if (operation_of(f) == "log3_matrix" && largest < 0 && !beyond && other)
@@ -78,6 +77,7 @@ std::string of_not_finite(const FailedBlock& f) {
   if (largest == 0) return "0/0 at theta = 0";
   if (operation_of(f) == "relative_angle") return "acos of a number above 1";
   if (has_angle(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
+  if (elsewhere * 4 > f.failed * 3) return "";  // what nobody will meet tells nothing of the others
   return zero ? fmt::format("0/0 for theta < {}", power_of_ten(largest))
               : "theta^2 underflows to 0, and then something is divided by it";
 }

@@ -10,6 +10,7 @@
 #include <failures/relations.hpp>
 #include <functional>
 #include <invariants/tree_laws.hpp>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <support/stop.hpp>
@@ -221,9 +222,11 @@ std::string factor_of(const Wrong& wrong) {
           std::fabs(factor - 1) < 1e-2
               ? fmt::format("1 {} {:.2g}", factor < 1 ? '-' : '+', std::fabs(factor - 1))
               : fmt::format("{:.4g}", factor);
-      return i == 0 ? fmt::format("where it fails, {} is the right one times {}", wrong.subject(), times)
-                    : fmt::format("where it fails, {} is right but for {}, which is the right one times {}",
-                                  wrong.subject(), number_of(part, i - 1, wrong.results()), times);
+      const char* const hint = std::fabs(factor - 1) < 1e-4 ? ", as if a constant had too few digits" : "";
+      return i == 0
+                 ? fmt::format("where it fails, {} is the right one times {}{}", wrong.subject(), times, hint)
+                 : fmt::format("where it fails, {} is right but for {}, which is the right one times {}{}",
+                               wrong.subject(), number_of(part, i - 1, wrong.results()), times, hint);
     }
   return "";
 }
@@ -331,7 +334,19 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
       return fmt::format("where it fails, {} is what {} would give", wrong.subject(), change.text);
   if (std::string text = of_another_frame(operation, places, wrong); !text.empty()) return text;
   if (std::string text = of_coupling(operation, wrong); !text.empty()) return text;
-  return factor_of(wrong);
+  return "";
+}
+
+/// The calls whose results are one number, or have several of like size: of one large number, each error is a factor.
+std::vector<JudgedCall> of_several_numbers(const std::vector<JudgedCall>& calls) {
+  std::vector<JudgedCall> all;
+  std::ranges::copy_if(calls, std::back_inserter(all), [](const JudgedCall& c) {
+    double largest = 0;
+    for (const double x : c.right) largest = std::max(largest, std::fabs(x));
+    return c.right.size() == 1 ||
+           std::ranges::count_if(c.right, [&](double x) { return std::fabs(x) > 0.01 * largest; }) > 1;
+  });
+  return all;
 }
 
 }  // namespace
@@ -345,6 +360,10 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
       if (std::string text = change_of(operation, places_of_arguments(operation), wrong); !text.empty())
         return text;
     }
+    const std::vector<JudgedCall> several = of_several_numbers(calls);
+    const Wrong general(operation, several, least);
+    if (general.count() < 4) continue;
+    if (std::string text = factor_of(general); !text.empty()) return text;
   }
   return "";
 }
