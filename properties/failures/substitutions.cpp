@@ -211,22 +211,18 @@ std::string factor_of(const Wrong& wrong) {
          ++i) {  // all numbers, and then each
       const Place at{part.layout, part.part, part.from + (i == 0 ? 0 : i - 1), i == 0 ? part.size : 1};
       const double factor = wrong.factor(at);
-      if (factor == 0 || !wrong.given_by([&](const JudgedCall& c) {
+      // One nearer to 1 is that of a constant with few digits, which errors tell.
+      if (factor == 0 || std::fabs(factor - 1) < 1e-2 || !wrong.given_by([&](const JudgedCall& c) {
             Numbers x = c.right;
             for (double& v : at.in(x)) v *= factor;
             // A small result agrees with any small factor to a hundredth of the error.
             return distance(at, x, c.call.result) < 0.01 * size_of_part(at, x) ? x : Numbers();
           }))
         continue;
-      const std::string times =
-          std::fabs(factor - 1) < 1e-2
-              ? fmt::format("1 {} {:.2g}", factor < 1 ? '-' : '+', std::fabs(factor - 1))
-              : fmt::format("{:.4g}", factor);
-      const char* const hint = std::fabs(factor - 1) < 1e-4 ? ", as if a constant had too few digits" : "";
       return i == 0
-                 ? fmt::format("where it fails, {} is the right one times {}{}", wrong.subject(), times, hint)
-                 : fmt::format("where it fails, {} is right but for {}, which is the right one times {}{}",
-                               wrong.subject(), number_of(part, i - 1, wrong.results()), times, hint);
+                 ? fmt::format("where it fails, {} is the right one times {:.4g}", wrong.subject(), factor)
+                 : fmt::format("where it fails, {} is right but for {}, which is the right one times {:.4g}",
+                               wrong.subject(), number_of(part, i - 1, wrong.results()), factor);
     }
   return "";
 }
