@@ -18,8 +18,8 @@ void transpose(Span m) {
 
 }  // namespace
 
-std::vector<Place> places_of(std::span<const Layout* const> layouts) {
-  std::vector<Place> all;
+std::vector<PartPlace> places_of(std::span<const Layout* const> layouts) {
+  std::vector<PartPlace> all;
   std::size_t from = 0;
   for (const Layout* l : layouts)
     for (const Part& p : l->parts) {
@@ -30,21 +30,22 @@ std::vector<Place> places_of(std::span<const Layout* const> layouts) {
   return all;
 }
 
-std::string name_of(const Place& place, const std::vector<Place>& all) {
-  const auto alike = std::ranges::count(all, place.part->name, [](const Place& p) { return p.part->name; });
+std::string name_of(const PartPlace& place, const std::vector<PartPlace>& all) {
+  const auto alike =
+      std::ranges::count(all, place.part->name, [](const PartPlace& p) { return p.part->name; });
   return alike > 1 ? fmt::format("{} of {}", place.part->name, place.layout->name)
                    : std::string(place.part->name);
 }
-std::string number_of(const Place& place, std::size_t i, const std::vector<Place>& all) {
+std::string number_of(const PartPlace& place, std::size_t i, const std::vector<PartPlace>& all) {
   const std::string name = conventions::number_name(*place.part, i), part(place.part->name);
   return name + name_of(place, all).substr(part.size());
 }
-bool is_quaternion(const Place& p) {
+bool is_quaternion(const PartPlace& p) {
   return p.size == 4 && p.part->name.starts_with("Q");
 }
 
-void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
-                 std::vector<Change>& changes) {
+void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of_result,
+                 std::vector<PartChange>& changes) {
   const std::string name = name_of(at, all);
   const auto add = [&](std::string text, auto change) {
     changes.push_back({std::move(text), [at, change](Numbers& x) { change(at.in(x)); }});
@@ -119,9 +120,9 @@ void add_changes(const Place& at, const std::vector<Place>& all, bool of_result,
     }
   }
 }
-void add_exchanges(const std::vector<Place>& all, std::vector<Change>& changes) {
-  for (const Place& a : all)
-    for (const Place& b : all) {
+void add_exchanges(const std::vector<PartPlace>& all, std::vector<PartChange>& changes) {
+  for (const PartPlace& a : all)
+    for (const PartPlace& b : all) {
       if (a.from == b.from || a.size != b.size) continue;
       const std::string one = name_of(a, all), other = name_of(b, all);
       if (a.from < b.from)

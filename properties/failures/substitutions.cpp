@@ -29,7 +29,7 @@ void turn(Span v, const Eigen::Matrix3d& R, bool back) {
   Eigen::Map<Eigen::Vector3d> x(v.data());
   x = back ? Eigen::Vector3d(R.transpose() * x) : Eigen::Vector3d(R * x);
 }
-bool is_rotation(const Place& p) {
+bool is_rotation(const PartPlace& p) {
   return is_quaternion(p) || (p.size == 9 && p.part->name.starts_with("R"));
 }
 
@@ -39,11 +39,11 @@ double apart(std::span<const double> a, std::span<const double> b, double sign =
     if (a[i] != sign * b[i]) sum = std::hypot(sum, a[i] - sign * b[i]);
   return sum;
 }
-double distance(const Place& at, const Numbers& a, const Numbers& b) {
+double distance(const PartPlace& at, const Numbers& a, const Numbers& b) {
   const double d = apart(at.in(a), at.in(b));
   return is_quaternion(at) ? std::min(d, apart(at.in(a), at.in(b), -1)) : d;
 }
-double size_of_part(const Place& at, const Numbers& x) {
+double size_of_part(const PartPlace& at, const Numbers& x) {
   return apart(at.in(x), at.in(x), 0);
 }
 
@@ -58,13 +58,13 @@ Numbers in_blocks(const Operation& operation, const Numbers& x) {
     for (std::size_t i = 0; i < 9; ++i) all.push_back(x[corner + i / 3 * 6 + i % 3]);
   return all;
 }
-std::vector<Place> results_of(const Operation& operation) {
+std::vector<PartPlace> results_of(const Operation& operation) {
   static constexpr Part parts[] = {{"the upper left block", 9, ""},
                                    {"the upper right block", 9, ""},
                                    {"the lower left block", 9, ""},
                                    {"the lower right block", 9, ""}};
   if (!is_in_blocks(operation)) return places_of({operation.results.begin(), operation.results.size()});
-  std::vector<Place> all;
+  std::vector<PartPlace> all;
   for (std::size_t i = 0; i < 4; ++i) all.push_back({operation.results[0], &parts[i], 9 * i, 9});
   return all;
 }
@@ -79,8 +79,8 @@ class Wrong {
       : results_(results_of(operation)) {
     for (const JudgedCall& c : calls) {
       if (!std::ranges::all_of(c.call.result, [](double x) { return std::isfinite(x); })) continue;
-      std::vector<Place> wrong;
-      for (const Place& p : results_) {
+      std::vector<PartPlace> wrong;
+      for (const PartPlace& p : results_) {
         const double scale = size_of_part(p, c.right);
         // Of a rotation nearer to pi than results must err to count, either sign is right.
         if (p.part->unit == "rad" && std::fabs(scale - std::numbers::pi) < least * std::numbers::pi) continue;
@@ -94,7 +94,7 @@ class Wrong {
     }
   }
   std::size_t count() const { return calls_.size(); }
-  const std::vector<Place>& results() const { return results_; }
+  const std::vector<PartPlace>& results() const { return results_; }
 
   /// Whether the results are those that `other` gives for all calls, or for four of five.
   bool of_all = true;
@@ -108,7 +108,7 @@ class Wrong {
     return true;
   }
   /// By what the right numbers must be multiplied to be those of the first call in which they are large; 0 if there is none.
-  double factor(const Place& at) const {
+  double factor(const PartPlace& at) const {
     for (const JudgedCall* c : calls_) {
       double of_both = 0, of_right = 0;
       for (std::size_t k = at.from; k < at.from + at.size; ++k)
@@ -135,7 +135,7 @@ class Wrong {
     const Numbers alternative = other(*calls_[i]);
     if (alternative.size() != got.size()) return false;
     const Numbers& right = calls_[i]->right;
-    return std::ranges::all_of(parts_[i], [&](const Place& p) {
+    return std::ranges::all_of(parts_[i], [&](const PartPlace& p) {
       for (std::size_t k = p.from; k < p.from + p.size; ++k)  // what is said to be 0 is no small number
         if (alternative[k] == 0 && std::fabs(got[k]) > 1e-14 * std::fabs(right[k])) return false;
       return distance(p, got, alternative) < 0.01 * distance(p, got, right);
@@ -144,21 +144,21 @@ class Wrong {
     return false;
   }
 
-  std::vector<Place> results_;
+  std::vector<PartPlace> results_;
   std::vector<const JudgedCall*> calls_;
-  std::vector<std::vector<Place>> parts_;
+  std::vector<std::vector<PartPlace>> parts_;
 };
 
 /// Whether a vector is turned once more, or once too little, by a rotation among the arguments.
-std::string of_another_frame(const Operation& operation, const std::vector<Place>& places,
+std::string of_another_frame(const Operation& operation, const std::vector<PartPlace>& places,
                              const Wrong& wrong) {
-  for (const Place& by : places) {
+  for (const PartPlace& by : places) {
     if (!is_rotation(by)) continue;
     for (const bool back : {false, true}) {
       const std::string R = fmt::format(
           "{}{}", is_quaternion(by) ? fmt::format("R({})", name_of(by, places)) : name_of(by, places),
           back ? "^T" : "");
-      for (const Place& at : places)
+      for (const PartPlace& at : places)
         if (at.size == 3 && wrong.given_by([&](const JudgedCall& c) {
               Numbers x = c.call.arguments;
               turn(at.in(x), rotation_in(by.in(c.call.arguments)), back);
@@ -167,7 +167,7 @@ std::string of_another_frame(const Operation& operation, const std::vector<Place
           return fmt::format(
               "where it fails, {} is what {} {} in place of {} would give: it is taken in another frame",
               wrong.subject(), R, name_of(at, places), name_of(at, places));
-      for (const Place& part : wrong.results())
+      for (const PartPlace& part : wrong.results())
         if (part.size == 3 && wrong.given_by([&](const JudgedCall& c) {
               Numbers x = c.right;
               turn(part.in(x), rotation_in(by.in(c.call.arguments)), back);
@@ -206,10 +206,10 @@ std::string of_coupling(const Operation& operation, const Wrong& wrong) {
 
 /// A factor, the same in all wrong results, of a part of the result or of one of its numbers.
 std::string factor_of(const Wrong& wrong) {
-  for (const Place& part : wrong.results())
+  for (const PartPlace& part : wrong.results())
     for (std::size_t i = 0; i <= part.size && (i == 0 || part.size <= 9);
          ++i) {  // all numbers, and then each
-      const Place at{part.layout, part.part, part.from + (i == 0 ? 0 : i - 1), i == 0 ? part.size : 1};
+      const PartPlace at{part.layout, part.part, part.from + (i == 0 ? 0 : i - 1), i == 0 ? part.size : 1};
       const double factor = wrong.factor(at);
       // One nearer to 1 is that of a constant with few digits, which errors tell.
       if (factor == 0 || std::fabs(factor - 1) < 1e-2 || !wrong.given_by([&](const JudgedCall& c) {
@@ -227,7 +227,7 @@ std::string factor_of(const Wrong& wrong) {
   return "";
 }
 
-std::vector<Place> places_of_arguments(const Operation& operation) {
+std::vector<PartPlace> places_of_arguments(const Operation& operation) {
   return places_of({operation.arguments.begin(), operation.arguments.size()});
 }
 
@@ -252,7 +252,7 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
 }
 
 std::string float_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
-  const std::vector<Place> places = places_of_arguments(operation);
+  const std::vector<PartPlace> places = places_of_arguments(operation);
   Wrong wrong(operation, calls, 1e-10);
   wrong.of_all = false;  // some may be wrong for another reason
   if (wrong.count() < 4) return "";
@@ -270,7 +270,7 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
       return in_blocks(operation, exact(operation.name.data(), x));
     });
   };
-  for (const Place& at : places)
+  for (const PartPlace& at : places)
     for (std::size_t i = 0; i <= at.size && (i == 0 || at.size <= 4); ++i)  // all numbers, and then each
       if (i == 0 ? given_by_rounded(at.from, at.size) : given_by_rounded(at.from + i - 1, 1))
         return fmt::format("where it fails, {} is what {} rounded to float would give", wrong.subject(),
@@ -280,18 +280,18 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
 
 namespace {
 /// The one change that gives the wrong results, in words; or "".
-std::string change_of(const Operation& operation, const std::vector<Place>& places, const Wrong& wrong) {
-  for (const Place& at : places)
-    for (const Place& part : wrong.results())
+std::string change_of(const Operation& operation, const std::vector<PartPlace>& places, const Wrong& wrong) {
+  for (const PartPlace& at : places)
+    for (const PartPlace& part : wrong.results())
       if (at.size == part.size && at.size > 1 && wrong.given_by([&](const JudgedCall& c) {
             Numbers x = c.right;
             std::ranges::copy(at.in(c.call.arguments), part.in(x).begin());
             return x;
           }))
         return fmt::format("where it fails, {} is {}, unchanged", wrong.subject(), name_of(at, places));
-  for (const Place& part : wrong.results())
+  for (const PartPlace& part : wrong.results())
     for (std::size_t i = 0; i < part.size && part.size <= 4; ++i)
-      for (const Place& at : places)
+      for (const PartPlace& at : places)
         for (std::size_t k = 0; k < at.size && at.size <= 4; ++k)
           if (wrong.given_by([&](const JudgedCall& c) {
                 Numbers x = c.right;
@@ -301,17 +301,17 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
             return fmt::format("where it fails, {} is right but for {}, which is {}", wrong.subject(),
                                number_of(part, i, wrong.results()),
                                number_of(at, k, places) + " of the arguments");
-  for (const Place& part : wrong.results())
+  for (const PartPlace& part : wrong.results())
     if (is_quaternion(part) && wrong.given_by([&](const JudgedCall& c) {
           Numbers x = c.right;
           std::ranges::fill(part.in(x), 0.0), part.in(x)[3] = 1;
           return x;
         }))
       return fmt::format("where it fails, {} is the identity (0, 0, 0, 1)", wrong.subject());
-  std::vector<Change> changes;
-  for (const Place& p : wrong.results()) add_changes(p, wrong.results(), true, changes);
+  std::vector<PartChange> changes;
+  for (const PartPlace& p : wrong.results()) add_changes(p, wrong.results(), true, changes);
   add_exchanges(wrong.results(), changes);
-  for (const Change& change : changes)
+  for (const PartChange& change : changes)
     if (wrong.given_by([&](const JudgedCall& c) {
           Numbers x = c.right;
           change.apply(x);
@@ -319,9 +319,9 @@ std::string change_of(const Operation& operation, const std::vector<Place>& plac
         }))
       return fmt::format("where it fails, {} is {}", wrong.subject(), change.text);
   changes.clear();
-  for (const Place& p : places) add_changes(p, places, false, changes);
+  for (const PartPlace& p : places) add_changes(p, places, false, changes);
   add_exchanges(places, changes);
-  for (const Change& change : changes)
+  for (const PartChange& change : changes)
     if (wrong.given_by([&](const JudgedCall& c) {
           Numbers x = c.call.arguments;
           change.apply(x);
