@@ -45,7 +45,8 @@
 #include <string_view>
 #include <type_traits>
 
-// What follows is hidden, so that two libraries in one process whose structs have the same name do not share their objects.
+// Of functions that keep objects: they are hidden, since two libraries in one process whose structs have the same name would
+// share the objects.
 #ifdef __GNUC__
 #define LIECHECK_HIDDEN [[gnu::visibility("hidden")]]
 #else

@@ -77,7 +77,7 @@ std::string of_not_finite(const FailedBlock& f) {
   if (largest == 0) return "0/0 at theta = 0";
   if (operation_of(f) == "relative_angle") return "acos of a number above 1";
   if (has_angle(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
-  if (elsewhere * 4 > f.failed * 3) return "";  // what nobody will meet tells nothing of the others
+  if (elsewhere * 4 > f.failed * 3) return "";  // NaN in less than a quarter of the failures
   return zero ? fmt::format("0/0 for theta < {}", power_of_ten(largest))
               : "theta^2 underflows to 0, and then something is divided by it";
 }
@@ -299,12 +299,12 @@ std::string guess_of(const FailedBlock& f) {
   for (const auto cause : {float_of, substitution_of, other_order_of, norm_power_of, in_place_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
-  // Other constants have nine digits, and iterations end after five.
-  const bool as_a_float = m.largest > 0x1p-30 && m.largest < 0x1p-14;
+  // A constant that is cut has nine digits at most, and an iteration that ends too early gives four at least.
+  const bool few_digits = m.largest > 0x1p-30 && m.largest < 0x1p-14;
   const auto scattered = [](const Operation&, const std::vector<JudgedCall>& all) {
     return std::string(is_scattered(all) ? "scattered" : "");
   };
-  if (m.coarse * 2 > m.all && !operation_of(f).starts_with("euler_from") && (as_a_float || m.same()) &&
+  if (m.coarse * 2 > m.all && !operation_of(f).starts_with("euler_from") && (few_digits || m.same()) &&
       !fails_at_zero(f) && of_calls(scattered).empty())
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";

@@ -66,6 +66,8 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
   if (at.size == 9 || at.size == 36) whole("the transposed one", name + " transposed", transpose);
   if (is_quaternion(at)) {
     number(3, "its absolute value", "|{0}| in place of {0}", [](Span x) { x[3] = std::fabs(x[3]); });
+    whole("the identity (0, 0, 0, 1)", name + " = (0, 0, 0, 1)",
+          [](Span x) { std::ranges::fill(x, 0.0), x[3] = 1; });
     whole("the conjugate of the right one", name + " conjugated, which is the inverse rotation,",
           [](Span x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
     whole("in the order w, x, y, z", name + " in the order w, x, y, z",
@@ -77,7 +79,8 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
   });
   if (at.size == 1) {
     if (at.part->unit == "rad")
-      whole("the right one and 2 pi or -2 pi: it is not brought into [-pi, pi]", name + " beyond [-pi, pi]",
+      whole("2 pi more or less than the right one: it is not brought into [-pi, pi]",
+            name + " beyond [-pi, pi]",
             [](Span x) { x[0] += x[0] > 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi; });
     whole("its absolute value", "|" + name + "|", [](Span x) { x[0] = std::fabs(x[0]); });
     for (const double factor : {2.0, 0.5})

@@ -113,8 +113,7 @@ class Wrong {
       double of_both = 0, of_right = 0;
       for (std::size_t k = at.from; k < at.from + at.size; ++k)
         of_both += c->call.result[k] * c->right[k], of_right += c->right[k] * c->right[k];
-      if (of_right > 1e-6 * std::pow(size_of_part({at.layout, at.part, 0, c->right.size()}, c->right), 2) &&
-          std::isfinite(of_both / of_right))
+      if (of_right > 1e-6 * std::pow(apart(c->right, c->right, 0), 2) && std::isfinite(of_both / of_right))
         return of_both / of_right;
     }
     return 0;
@@ -197,8 +196,8 @@ std::string of_coupling(const Operation& operation, const Wrong& wrong) {
           }))
         continue;
       return fmt::format(
-          "where it fails, the upper right block C is{}{} C{}{}, with the upper left block D: a factor is "
-          "missing, on the wrong side, or one too many",
+          "where it fails, the upper right block is{}{} C{}{} in place of C, with D the upper left block: a "
+          "factor D is missing, on the wrong side, or one too many",
           left == 0 ? "" : " ", factors[left], right == 0 ? "" : " ", factors[right]);
     }
   return "";
@@ -301,13 +300,6 @@ std::string change_of(const Operation& operation, const std::vector<PartPlace>& 
             return fmt::format("where it fails, {} is right but for {}, which is {}", wrong.subject(),
                                number_of(part, i, wrong.results()),
                                number_of(at, k, places) + " of the arguments");
-  for (const PartPlace& part : wrong.results())
-    if (is_quaternion(part) && wrong.given_by([&](const JudgedCall& c) {
-          Numbers x = c.right;
-          std::ranges::fill(part.in(x), 0.0), part.in(x)[3] = 1;
-          return x;
-        }))
-      return fmt::format("where it fails, {} is the identity (0, 0, 0, 1)", wrong.subject());
   std::vector<PartChange> changes;
   for (const PartPlace& p : wrong.results()) add_changes(p, wrong.results(), true, changes);
   add_exchanges(wrong.results(), changes);
@@ -329,8 +321,7 @@ std::string change_of(const Operation& operation, const std::vector<PartPlace>& 
         }))
       return fmt::format("where it fails, {} is what {} would give", wrong.subject(), change.text);
   if (std::string text = of_another_frame(operation, places, wrong); !text.empty()) return text;
-  if (std::string text = of_coupling(operation, wrong); !text.empty()) return text;
-  return "";
+  return of_coupling(operation, wrong);
 }
 
 /// The calls whose results are one number, or have several of like size: of one large number, each error is a factor.

@@ -111,12 +111,13 @@ class Changes {
   using OfTree = std::function<void(const TreeNumbers&)>;
   std::vector<TreeChange> all;
 
-  void of_tree(std::string text, OfTree apply, std::string of_columns) {
+  TreeChange& of_tree(std::string text, OfTree apply, std::string of_columns) {
     all.push_back({std::move(text), std::move(of_columns), false,
                    [apply = std::move(apply)](std::vector<double>& x) { apply(TreeNumbers(x)); }});
+    return all.back();
   }
   /// One that changes the columns of a Jacobian as it changes all else.
-  void of_tree(const std::string& text, OfTree apply) { of_tree(text, std::move(apply), text); }
+  TreeChange& of_tree(const std::string& text, OfTree apply) { return of_tree(text, std::move(apply), text); }
   /// Of the numbers of some joints.
   template <class Which>
   void of_joints(const std::string& text, const std::string& of_columns, int from, int size,
@@ -227,7 +228,7 @@ void add_joints(Changes& c) {
   for (const bool back : {false, true}) {
     const auto turned = [&c, back](const char* what, int from) {
       c.of_tree(
-          fmt::format("{} turned by the rotation of the joint's placement{}", what, back ? " back" : ""),
+          fmt::format("{} turned {}by the rotation of the joint's placement", what, back ? "back " : ""),
           [back, from](const TreeNumbers& t) {
             for (int i = 0; i < t.joints(); ++i)
               turn(t.of_joint(i, from, 3), Eigen::Quaterniond(t.of_joint(i, TreeSlot::Q, 4).data()), back);
@@ -297,15 +298,15 @@ void add_bodies_and_frame(Changes& c) {
         std::pair("inertias moved to the joints' origins twice", 1.0),
         std::pair("inertias moved to the joints' origins with the opposite sign", -2.0)})
     c.of_tree(text, [times](const TreeNumbers& t) {
-      for (int i = 0; i < t.joints(); ++i) {  // adds times m (c^2 1 - c c^T)
-        const Eigen::Vector3d com(t.of_joint(i, TreeSlot::c, 3).data());
-        const Eigen::Matrix3d more =
-            times * t.mass(i) * (com.squaredNorm() * Eigen::Matrix3d::Identity() - com * com.transpose());
-        const Span I = t.of_joint(i, TreeSlot::I, 6);
-        I[0] += more(0, 0), I[1] += more(0, 1), I[2] += more(1, 1);
-        I[3] += more(0, 2), I[4] += more(1, 2), I[5] += more(2, 2);
-      }
-    });
+       for (int i = 0; i < t.joints(); ++i) {  // adds times m (c^2 1 - c c^T)
+         const Eigen::Vector3d com(t.of_joint(i, TreeSlot::c, 3).data());
+         const Eigen::Matrix3d more =
+             times * t.mass(i) * (com.squaredNorm() * Eigen::Matrix3d::Identity() - com * com.transpose());
+         const Span I = t.of_joint(i, TreeSlot::I, 6);
+         I[0] += more(0, 0), I[1] += more(0, 1), I[2] += more(1, 1);
+         I[3] += more(0, 2), I[4] += more(1, 2), I[5] += more(2, 2);
+       }
+     }).any_inertia = true;
   struct Rounded {
     const char* what;
     int from, size;
@@ -321,7 +322,7 @@ void add_bodies_and_frame(Changes& c) {
   c.of_tree("gravity rounded to float", [](const TreeNumbers& t) { to_float(t.gravity()); });
   for (const bool back : {false, true})
     c.of_tree(
-        back ? "the frame's shift turned by its rotation back" : "the frame's shift turned by its rotation",
+        back ? "the frame's shift turned back by its rotation" : "the frame's shift turned by its rotation",
         [back](const TreeNumbers& t) { turn(t.frame_p(), Eigen::Quaterniond(t.frame_Q().data()), back); });
   c.of_tree("the frame not turned", [](const TreeNumbers& t) { to_identity(t.frame_Q()); });
   c.of_tree("the frame turned in the opposite direction",
@@ -355,8 +356,7 @@ const std::vector<TreeChange>& tree_changes() {
     add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_bodies_and_frame(c);
     for (TreeChange& change : c.all)
       change.leaves_out = std::ranges::find(without_terms, change.text) != std::end(without_terms) ||
-                          change.text.starts_with("v = 0 of "),
-      change.any_inertia = change.text.find("moved to the joints' origins") != std::string::npos;
+                          change.text.starts_with("v = 0 of ");
     return std::move(c.all);
   }();
   return all;

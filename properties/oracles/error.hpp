@@ -45,7 +45,7 @@ template <class M>
 bool all_finite(const M& m) {
   if constexpr (requires {
                   requires std::is_same_v<M, typename M::PlainObject>;
-                }) {  // of Eigen: its numbers follow each other
+                }) {  // a matrix of Eigen, whose numbers follow each other in memory
     return std::all_of(m.data(), m.data() + m.size(), [](const auto& x) {
       using std::isfinite;
       return isfinite(x);

@@ -197,8 +197,8 @@ TEST(Substitutions, ACouplingBlockWithAFactorTooFew) {
         for (std::size_t i = 0; i < 9; ++i) all.push_back((*x)[corner + i / 3 * 6 + i % 3]);
       *x = all;
     }
-  EXPECT_TRUE(
-      says(substitution_of(op::left_jacobian6_inverse, in_blocks), "the upper right block C is C D^-1"))
+  EXPECT_TRUE(says(substitution_of(op::left_jacobian6_inverse, in_blocks),
+                   "the upper right block is C D^-1 in place of C"))
       << substitution_of(op::left_jacobian6_inverse, in_blocks);
 }
 
