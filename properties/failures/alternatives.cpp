@@ -120,13 +120,35 @@ const Alternative alternatives[] = {
      },
      "where Q0 . Q1 < 0, the angle is 2 pi minus the right one: Q1 and -Q1 are the same rotation, and the "
      "nearer one counts"},
+    {"se2_log", 2, 1,
+     [](const Numbers& x) -> Values {
+       return Values::Constant(1, std::asin(std::clamp(x[3] / std::hypot(x[2], x[3]), -1.0, 1.0)));
+     },
+     "the angle is asin(sin), which is wrong where cos < 0: atan2(sin, cos) is not"},
+    {"se2_integrate", 0, 2,
+     [](const Numbers& x) -> Values {
+       const Numbers right = exact("se2_integrate", x);
+       const auto turned = [](double angle, const Values& v) -> Values {
+         return Eigen::Rotation2Dd(angle) * Eigen::Vector2d(v);
+       };
+       return given(x, 0, 2) + turned(x[6], given(right, 0, 2) - given(x, 0, 2));
+     },
+     "the step is turned by the heading at its end in place of that at its start"},
+    {"twist_angle", 0, 1,
+     [](const Numbers& x) -> Values {
+       const Values v = given(x, 0, 3);
+       return Values::Constant(
+           1, std::remainder(std::copysign(2 * std::atan2(v.norm(), x[3]), v.dot(given(x, 4, 3))),
+                             2 * std::numbers::pi));
+     },
+     "the angle is that of the whole rotation, 2 atan2(|v|, w), in place of 2 atan2(v . axis, w)"},
     {"se2_log", 2, 1, [](const Numbers& x) -> Values { return Values::Constant(1, std::atan(x[3] / x[2])); },
      "the angle is atan(sin / cos), which is wrong by pi on one half of the circle: atan2(sin, cos) is not"},
 };
 
 /// Whether an alternative gives the results of four of five calls that are wrong in its numbers by more than a millionth of
-/// the result, or of a rad, to a hundredth of the error: an error of another formula agrees by chance once in a hundred calls at most.
-bool gives_results(const Alternative& one, const std::vector<JudgedCall>& calls) try {
+/// the result, or of a rad, to a share of the error; to a hundredth: an error of another formula agrees by chance once in a hundred calls at most.
+bool gives_results(const Alternative& one, const std::vector<JudgedCall>& calls, double share) try {
   std::size_t explained = 0, wrong = 0;
   for (const auto& [call, right_numbers] : calls) {
     const Values right = given(right_numbers, 0, std::ssize(right_numbers)),
@@ -137,7 +159,9 @@ bool gives_results(const Alternative& one, const std::vector<JudgedCall>& calls)
     };
     // Of a tiny angle, a right formula may lose digits that are far below a millionth of a rad.
     if (!(apart(exact) > 1e-6 * (one.size == 1 ? 1 : right.norm()))) continue;
-    ++wrong, explained += apart(one.result(call.arguments)) < 0.01 * apart(exact);
+    const Values other = one.result(call.arguments);
+    const double distance = one.size == 4 ? std::min(apart(other), apart(other.normalized())) : apart(other);
+    ++wrong, explained += distance < share * apart(exact);
   }
   return wrong >= 5 && 5 * explained >= 4 * wrong;
 } catch (const std::exception&) {  // the oracle does not know these arguments
@@ -152,8 +176,9 @@ bool has_alternatives(std::string_view operation) {
 }
 
 std::string alternative_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
-  for (const Alternative& one : alternatives)
-    if (one.operation == operation.name && gives_results(one, calls)) return one.text;
+  for (const double share : {1e-4, 0.01})  // first those that agree best
+    for (const Alternative& one : alternatives)
+      if (one.operation == operation.name && gives_results(one, calls, share)) return one.text;
   return "";
 }
 

@@ -74,7 +74,7 @@ std::string of_not_finite(const FailedBlock& f) {
   if (other || near_pi || (largest < 0 && !beyond)) return "";
   if (largest < 0) return "theta^2 or a power of it overflows";
   if (beyond) return "";
-  if (largest == 0) return "0/0 at theta = 0";
+  if (largest == 0) return elsewhere * 4 > f.failed ? "" : "0/0 at theta = 0";
   if (operation_of(f) == "relative_angle") return "acos of a number above 1";
   if (has_angle(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
   if (elsewhere * 4 > f.failed * 3) return "";  // NaN in less than a quarter of the failures
@@ -206,6 +206,9 @@ std::string near_gimbal_lock(const FailedBlock& f) {
     return "near gimbal lock, atan2 of numbers that are 0 but for rounding: the error grows as 1 / (the "
            "angle from it), "
            "since two angles are computed each by itself";
+  if (c->high < 1e-12)
+    return "at gimbal lock alone, one of the angles is wrong: there, two turn about one axis, by their sum "
+           "or difference";
   if (errors.as_large_up_to > 4 * std::sqrt(f.worst->series->eps) && 10 * errors.as_large_up_to < c->high)
     return fmt::format(
         "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
@@ -260,7 +263,6 @@ std::string guess_of(const FailedBlock& f) {
   const Moderate m = at_moderate_angles(f, eps);
   if (m.other_branch * 5 > m.all && f.block == "rotation vector")
     return "the sign of w is not looked at: Q and -Q, the same rotation, give different results";
-  const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (operation_of(f).starts_with("euler_from"))
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
   if (std::string guess = tree_substitution_of(*f.worst->series, f.worst->output); !guess.empty())
@@ -278,13 +280,15 @@ std::string guess_of(const FailedBlock& f) {
     if (other.empty()) other = of_calls(float_of);
     for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
       if (other.empty()) other = of_calls(cause);
-    // Most inputs of Euler angles are near gimbal lock, not moderate.
-    return m.wrong * 3 <= m.all || !other.empty() || operation_of(f).starts_with("euler_from") ||
-                   f.worst->series->on_robot || is_tree_law(f.worst->series->property)
-               ? other
-               : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
-                 "the "
-                 "results";
+    if (!other.empty() || operation_of(f).starts_with("euler_from")) return other;
+    if (f.worst->series->on_robot || is_tree_law(f.worst->series->property)) return "";
+    if (m.wrong * 3 > m.all) {
+      other = of_calls(approximation_of);
+      // Most inputs of Euler angles are near gimbal lock, not moderate.
+      return !other.empty() ? other
+                            : "a wrong term, factor or sign: moderate angles fail, too, and no other "
+                              "convention explains the results";
+    }
   }
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
   const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
@@ -296,7 +300,8 @@ std::string guess_of(const FailedBlock& f) {
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  for (const auto cause : {float_of, substitution_of, other_order_of, norm_power_of, in_place_of})
+  for (const auto cause :
+       {float_of, substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   // A constant that is cut has nine digits at most, and an iteration that ends too early gives four at least.

@@ -44,6 +44,38 @@ bool is_quaternion(const PartPlace& p) {
   return p.size == 4 && p.part->name.starts_with("Q");
 }
 
+namespace {
+template <class Whole>
+void add_changes_of_vector(const PartPlace& at, const std::string& name, const Whole& whole) {
+  const auto length = [](Span x) { return std::hypot(x[0], x[1], x[2]); };
+  if (at.part->unit == "rad") {
+    whole("the right one with its angle brought into [-pi, pi]",
+          name + " with its angle brought into [-pi, pi]", [length](Span x) {
+            const double angle = length(x), wrapped = std::remainder(angle, 2 * std::numbers::pi);
+            for (double& v : x) v = angle == 0 ? v : v * (wrapped / angle);
+          });
+    whole("the right one with its angle cut off at pi", name + " with its angle cut off at pi",
+          [length](Span x) {
+            const double angle = length(x);
+            for (double& v : x) v = angle > std::numbers::pi ? v * (std::numbers::pi / angle) : v;
+          });
+  }
+  whole("in the opposite order", name + " in the opposite order", [](Span x) { std::ranges::reverse(x); });
+}
+template <class Whole>
+void add_changes_of_matrix(const std::string& name, const Whole& whole) {
+  const auto add = [&](const char* as_result, const std::string& as_argument, double factor) {
+    whole(as_result, as_argument, [factor](Span x) {
+      for (std::size_t i = 0; i < 9; ++i) x[i] *= i % 4 == 0 ? 1 : factor;
+    });
+  };
+  add("right but for the numbers beside the diagonal, which are 0",
+      name + " without what is beside its diagonal", 0);
+  add("right but for the numbers beside the diagonal, which are of the opposite sign",
+      name + " with what is beside its diagonal of the opposite sign", -1);
+}
+}  // namespace
+
 void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of_result,
                  std::vector<PartChange>& changes) {
   const std::string name = name_of(at, all);
@@ -93,20 +125,8 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
           fmt::format("{} {}", factor == 2 ? "2" : "1/2", name), [factor](Span x) {
             for (double& v : x) v *= factor;
           });
-  if (at.size == 3 && at.part->unit == "rad")
-    whole("the right one with its angle brought into [-pi, pi]",
-          name + " with its angle brought into [-pi, pi]", [](Span x) {
-            const double angle = std::hypot(x[0], x[1], x[2]);
-            const double wrapped = std::remainder(angle, 2 * std::numbers::pi);
-            for (double& v : x) v = angle == 0 ? v : v * (wrapped / angle);
-          });
-  if (at.size == 3)
-    whole("in the opposite order", name + " in the opposite order", [](Span x) { std::ranges::reverse(x); });
-  if (at.size == 9)
-    whole("right but for the numbers beside the diagonal, which are 0",
-          name + " without what is beside its diagonal", [](Span x) {
-            for (std::size_t i = 0; i < 9; ++i) x[i] = i % 4 == 0 ? x[i] : 0;
-          });
+  if (at.size == 3) add_changes_of_vector(at, name, whole);
+  if (at.size == 9) add_changes_of_matrix(name, whole);
   for (std::size_t i = 0; i < at.size; ++i) {
     number(i, "0", "{} = 0", [i](Span x) { x[i] = 0; });
     number(i, "its absolute value", "|{0}| in place of {0}", [i](Span x) { x[i] = std::fabs(x[i]); });

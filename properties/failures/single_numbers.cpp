@@ -7,7 +7,9 @@
 #include <conventions/values.hpp>
 #include <failures/relations.hpp>
 #include <iterator>
+#include <numbers>
 #include <oracles/orientations.hpp>
+#include <oracles/scalar.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -236,8 +238,9 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   std::vector<std::size_t> those;
   for (std::size_t i = 0; i < wrong.size(); ++i)
     if (10 * wrong[i] > judged.size()) those.push_back(i);
-  constexpr std::size_t most_named = 4;
-  if (judged.size() < least || those.empty() || 3 * those.size() > names.size() || those.size() > most_named)
+  constexpr std::size_t most_named = 4, most_opposite = 8;
+  if (judged.size() < least || those.empty() || 3 * those.size() > names.size() ||
+      those.size() > most_opposite)
     return "";
   std::size_t from = 0;
   for (const Part& part : operation.results[0]->parts) {  // the block is named already
@@ -254,8 +257,84 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   };
   if (those.size() == 2 && std::ranges::all_of(judged, exchanged))
     return fmt::format("where it fails, {} and {} are exchanged", text[0], text[1]);
+  const auto opposite = [&](const JudgedCall* c) {
+    const Numbers sizes = sizes_of(c->right);
+    const double error = std::ranges::max(errors_of(*c));
+    return std::ranges::all_of(those, [&](std::size_t i) {
+      return std::fabs(c->call.result[i] + c->right[i]) < 0.01 * error * sizes[i];
+    });
+  };
+  if (those.size() > 1 && std::ranges::all_of(judged, opposite))
+    return fmt::format("where it fails, {} are of the opposite sign", fmt::join(text, ", "));
+  if (those.size() > most_named) return "";
   return fmt::format("a wrong term, factor or sign in {}: the other numbers are right",
                      fmt::join(text, " and "));
+}
+
+std::string constant_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
+  if (operation.results.size() != 1) return "";
+  std::size_t from = 0;
+  for (const Part& part : operation.results[0]->parts) {
+    const auto size = static_cast<std::size_t>(std::max(part.size, 0));
+    Numbers more;
+    for (const JudgedCall& c : calls) {
+      if (part.unit != "rad" || (size != 1 && size != 3) || c.call.result.size() < from + size) continue;
+      double of_got = 0, of_right = 0, apart = 0;
+      for (std::size_t i = from; i < from + size; ++i) {
+        of_got = std::hypot(of_got, c.call.result[i]), of_right = std::hypot(of_right, c.right[i]);
+        apart = std::hypot(apart, c.call.result[i] - c.right[i]);
+      }
+      if (!(apart > 1e-13 * of_right) || !(apart < 0.01)) continue;
+      // Another direction is no other angle.
+      if (std::fabs(of_got - of_right) < 0.99 * apart) return "";
+      more.push_back(of_got - of_right);
+    }
+    from += size;
+    if (more.size() < least) continue;
+    std::ranges::sort(more);
+    const double middle = more[more.size() / 2];
+    const auto like = std::ranges::count_if(more, [&](double d) { return std::fabs(d / middle - 1) < 0.02; });
+    if (10 * like < 9 * std::ssize(more)) continue;
+    constexpr double pi = std::numbers::pi;
+    const double pi_in_float = oracles::rounded_to_float(pi);
+    std::string of;
+    for (const double times : {0.5, 1.0, 2.0})
+      for (int digits = 2; digits <= 11 && of.empty(); ++digits) {
+        const double exact_number = times * pi, power = std::pow(10, digits);
+        for (const double cut :
+             {std::round(exact_number * power) / power, std::trunc(exact_number * power) / power})
+          if (std::fabs(std::fabs(middle) / std::fabs(cut - exact_number) - 1) < 0.02)
+            of = fmt::format(": {} in place of {}", cut, times == 1 ? "pi" : fmt::format("{} pi", times));
+        if (std::fabs(std::fabs(middle) / (times * std::fabs(pi_in_float - pi)) - 1) < 0.02)
+          of = fmt::format(": {} in float", times == 1 ? "pi" : fmt::format("{} pi", times));
+      }
+    return fmt::format("where it fails, the angle is {:.2g} rad too {}{}", std::fabs(middle),
+                       middle > 0 ? "large" : "small", of);
+  }
+  return "";
+}
+
+std::string approximation_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
+  Numbers errors;
+  for (const JudgedCall& c : calls) {
+    if (c.call.result.size() != c.right.size()) continue;
+    double size = 0, error = 0, opposite = 0;
+    for (std::size_t i = 0; i < c.right.size(); ++i)
+      size = std::max(size, std::fabs(c.right[i])),
+      error = std::max(error, std::fabs(c.call.result[i] - c.right[i])),
+      opposite = std::max(opposite, std::fabs(c.call.result[i] + c.right[i]));
+    if (c.right.size() == 4) error = std::min(error, opposite);
+    if (error > 1e-13 * size) errors.push_back(error / size);
+  }
+  constexpr std::size_t enough = 10;
+  if (errors.size() < enough || operation.results.size() != 1) return "";
+  std::ranges::sort(errors);
+  const double most = errors[errors.size() * 9 / 10];
+  if (!(most < 0.01)) return "";
+  return fmt::format(
+      "an approximation: most results are right to {} digits, as those of a series or an iteration that ends "
+      "too early, a numerical derivative, or a constant with few digits",
+      static_cast<int>(-std::log10(most)));
 }
 
 }  // namespace liecheck::properties

@@ -17,4 +17,10 @@ std::string norm_power_of(const Operation& operation, const std::vector<JudgedCa
 /// The numbers that are wrong in words, if the same third of all, or fewer, are wrong in all calls; or "".
 std::string wrong_numbers_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
+/// An angle that is wrong by the same number in all wrong results, as where pi has few digits, in words; or "".
+std::string constant_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+
+/// To how many digits nine of ten wrong results are right, if these are two or more, in words; or "".
+std::string approximation_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+
 }  // namespace liecheck::properties

@@ -12,6 +12,7 @@
 #include <invariants/tree_laws.hpp>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <support/stop.hpp>
 
@@ -75,12 +76,15 @@ constexpr std::size_t enough = 12;
 /// The wrong calls of an operation, and which parts of their results are wrong by more than a share.
 class Wrong {
  public:
-  Wrong(const Operation& operation, const std::vector<JudgedCall>& calls, double least)
-      : results_(results_of(operation)) {
+  /// Of one part of the results, or of all.
+  Wrong(const Operation& operation, const std::vector<JudgedCall>& calls, double least,
+        std::optional<std::size_t> only = {})
+      : results_(results_of(operation)), only_(only) {
     for (const JudgedCall& c : calls) {
       if (!std::ranges::all_of(c.call.result, [](double x) { return std::isfinite(x); })) continue;
       std::vector<PartPlace> wrong;
       for (const PartPlace& p : results_) {
+        if (only_ && p.from != results_[*only_].from) continue;
         const double scale = size_of_part(p, c.right);
         // Of a rotation nearer to pi than results must err to count, either sign is right.
         if (p.part->unit == "rad" && std::fabs(scale - std::numbers::pi) < least * std::numbers::pi) continue;
@@ -123,7 +127,7 @@ class Wrong {
     for (const auto& parts : parts_)
       if (parts.size() != parts_.front().size() || parts.front().from != parts_.front().front().from)
         return "the result";
-    if (results_.size() == 1 || parts_.front().size() > 1) return "the result";
+    if (!only_ && (results_.size() == 1 || parts_.front().size() > 1)) return "the result";
     return std::string(parts_.front().front().part->name);
   }
 
@@ -144,6 +148,7 @@ class Wrong {
   }
 
   std::vector<PartPlace> results_;
+  std::optional<std::size_t> only_;
   std::vector<const JudgedCall*> calls_;
   std::vector<std::vector<PartPlace>> parts_;
 };
@@ -324,6 +329,28 @@ std::string change_of(const Operation& operation, const std::vector<PartPlace>& 
   return of_coupling(operation, wrong);
 }
 
+/// A change of all parts at once, in words; or "".
+std::string change_of_all(const Wrong& wrong) {
+  for (const auto& [text, factor] : {std::pair("0", 0.0), std::pair("the opposite of the right one", -1.0),
+                                     std::pair("twice the right one", 2.0)})
+    if (wrong.given_by([factor = factor](const JudgedCall& c) {
+          Numbers x = c.right;
+          for (double& v : x) v *= factor;
+          return x;
+        }))
+      return fmt::format("where it fails, the result is {}", text);
+  return "";
+}
+
+/// The calls without large arguments, with which sums of products overflow.
+std::vector<JudgedCall> of_ordinary_arguments(const std::vector<JudgedCall>& calls) {
+  std::vector<JudgedCall> all;
+  std::ranges::copy_if(calls, std::back_inserter(all), [](const JudgedCall& c) {
+    return std::ranges::all_of(c.call.arguments, [](double x) { return std::fabs(x) < 1e15; });
+  });
+  return all;
+}
+
 /// The calls whose results are one number, or have several of like size: of one large number, each error is a factor.
 std::vector<JudgedCall> of_several_numbers(const std::vector<JudgedCall>& calls) {
   std::vector<JudgedCall> all;
@@ -346,6 +373,15 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
       wrong.of_all = of_all;
       if (std::string text = change_of(operation, places_of_arguments(operation), wrong); !text.empty())
         return text;
+    }
+    const std::size_t parts = is_in_blocks(operation) ? 1 : wrong.results().size();
+    const std::vector<JudgedCall> ordinary = of_ordinary_arguments(calls);
+    for (std::size_t part = 0; parts > 1 && part <= parts; ++part) {
+      const Wrong some(operation, ordinary, least, part == 0 ? std::nullopt : std::optional(part - 1));
+      if (some.count() < 4) continue;
+      const std::string text =
+          part == 0 ? change_of_all(some) : change_of(operation, places_of_arguments(operation), some);
+      if (!text.empty()) return text;
     }
     const std::vector<JudgedCall> several = of_several_numbers(calls);
     const Wrong general(operation, several, least);

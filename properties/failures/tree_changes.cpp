@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <generators/tree_layout.hpp>
+#include <numbers>
 #include <oracles/scalar.hpp>
 #include <oracles/tree.hpp>
 #include <span>
@@ -30,6 +31,7 @@ class TreeNumbers {
   JointKind kind(int joint) const {
     return static_cast<JointKind>(static_cast<int>(part(at_.kind(joint), 1)[0]));
   }
+  int primary(int joint) const { return static_cast<int>(part(at_.primary(joint), 1)[0]); }
   double& mass(int joint) const { return part(at_.mass(joint), 1)[0]; }
   Span of_joint(int joint, int from, int size) const { return part(at_.slot(joint) + from, size); }
   Span gravity() const { return part(at_.gravity(), 3); }
@@ -44,7 +46,7 @@ class TreeNumbers {
     using enum JointKind;
     Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
     for (int i = joint; i >= 0; i = parent(i)) {
-      const int primary = static_cast<int>(part(at_.primary(i), 1)[0]), from = primary < 0 ? i : primary;
+      const int primary = this->primary(i), from = primary < 0 ? i : primary;
       const Span c = of_joint(from, TreeSlot::q_circle, 2);
       const bool on_circle = kind(i) == continuous || kind(i) == planar;
       double angle = on_circle ? std::atan2(c[1], c[0]) : of_joint(from, TreeSlot::q_p, 1)[0];
@@ -61,6 +63,12 @@ class TreeNumbers {
       R = Eigen::Quaterniond(of_joint(i, TreeSlot::Q, 4).data()) * turned * R;
     }
     return R;
+  }
+  /// Turns two numbers of a planar joint by its angle, or back.
+  void turn_in_plane(int joint, int from, bool back) const {
+    const Span circle = of_joint(joint, TreeSlot::q_circle, 2), u = of_joint(joint, from, 2);
+    const double sin = back ? -circle[1] : circle[1], x = u[0];
+    u[0] = circle[0] * x - sin * u[1], u[1] = sin * x + circle[0] * u[1];
   }
   /// Hangs the wrench on another joint, if there is such a joint.
   void hang_wrench(int on) const {
@@ -98,9 +106,8 @@ void turn(Span v, const Eigen::Quaterniond& Q, bool back) {
   Eigen::Map<Eigen::Vector3d> u(v.data());
   u = back ? Eigen::Vector3d(Q.conjugate() * u) : Eigen::Vector3d(Q * u);
 }
-/// As good as 0: a joint needs an inertia.
 void to_nearly_zero(Span armature) {
-  armature[0] *= 0x1p-30;
+  armature[0] *= 0x1p-30;  // a joint needs an inertia
 }
 void from_w(Span Q) {
   std::ranges::rotate(Q, Q.begin() + 1);
@@ -171,6 +178,14 @@ void add_rates(Changes& c) {
   c.of_joints("-v", "", TreeSlot::v, 6, opposite, any);
   c.of_joints("a = 0", "", TreeSlot::a, 6, to_zero, any);
   c.of_joints("-a", "", TreeSlot::a, 6, opposite, any);
+  for (int k = 1; k <= 8; ++k)
+    c.of_tree(
+        fmt::format("velocities below {} that are 0", std::pow(10.0, -k)),
+        [least = std::pow(10.0, -k)](const TreeNumbers& t) {
+          for (int i = 0; i < t.joints(); ++i)
+            for (double& v : t.of_joint(i, TreeSlot::v, 6)) v = std::fabs(v) < least ? 0 : v;
+        },
+        "");
   c.of_joints("v = 0 of the joints without a parent", "columns 0 of the joints without a parent", TreeSlot::v,
               6, to_zero, root);
   c.of_joints("a = 0 of the joints without a parent", "", TreeSlot::a, 6, to_zero, root);
@@ -204,15 +219,24 @@ void add_rates(Changes& c) {
               [back](const TreeNumbers& t) {
                 for (int i = 0; i < t.joints(); ++i) {
                   if (t.kind(i) != planar) continue;
-                  const Span circle = t.of_joint(i, TreeSlot::q_circle, 2);
-                  const double cos = circle[0], sin = back ? -circle[1] : circle[1];
-                  for (const int from : {TreeSlot::v + 0, TreeSlot::a + 0}) {
-                    const Span u = t.of_joint(i, from, 2);
-                    const double x = u[0];
-                    u[0] = cos * x - sin * u[1], u[1] = sin * x + cos * u[1];
-                  }
+                  for (const int from : {TreeSlot::v + 0, TreeSlot::a + 0}) t.turn_in_plane(i, from, back);
                 }
               });
+}
+
+void add_mimics(Changes& c) {
+  c.of_joints("multipliers of mimics that are 1", TreeSlot::multiplier, 1, [](Span x) { x[0] = 1; });
+  c.of_tree("atan(sin / cos) of continuous joints for their mimics", [](const TreeNumbers& t) {
+    for (int i = 0; i < t.joints(); ++i) {
+      const int primary = t.primary(i);
+      if (primary < 0 || t.kind(primary) != JointKind::continuous) continue;
+      const Span q = t.of_joint(primary, TreeSlot::q_circle, 2);
+      if (q[0] < 0)
+        t.of_joint(i, TreeSlot::offset, 1)[0] -=
+            t.of_joint(i, TreeSlot::multiplier, 1)[0] * std::copysign(std::numbers::pi, q[1]);
+    }
+  });
+  c.of_joints("offsets of mimics that are 0", TreeSlot::offset, 1, to_zero);
 }
 
 void add_joints(Changes& c) {
@@ -241,9 +265,10 @@ void add_joints(Changes& c) {
   c.of_joints("the pitch 0 of helical joints where it is negative", TreeSlot::pitch, 1,
               [](Span x) { x[0] = std::max(x[0], 0.0); });
   c.of_joints("|pitch| of helical joints", TreeSlot::pitch, 1, [](Span x) { x[0] = std::fabs(x[0]); });
+  c.of_joints("the pitch divided by 2 pi of helical joints", TreeSlot::pitch, 1,
+              [](Span x) { x[0] /= 2 * std::numbers::pi; });
   c.of_joints("-pitch of helical joints", TreeSlot::pitch, 1, opposite);
-  c.of_joints("multipliers of mimics that are 1", TreeSlot::multiplier, 1, [](Span x) { x[0] = 1; });
-  c.of_joints("offsets of mimics that are 0", TreeSlot::offset, 1, to_zero);
+  c.of_joints("|w| in place of w in quaternions of q", TreeSlot::q_Q, 4, to_absolute_w);
   for (const JointKind kind : {spherical, free_flyer}) {  // where all w < 0, this is the conjugate
     const std::string text = fmt::format("|w| in place of w in the quaternion in q of {} joints",
                                          oracles::joint_names[static_cast<std::size_t>(kind)]);
@@ -267,6 +292,10 @@ void add_joints(Changes& c) {
               [](Span q) { q[1] = std::fabs(q[1]); });
   c.of_joints("continuous and planar joints turned in the opposite direction", TreeSlot::q_circle, 2,
               [](Span q) { q[1] = -q[1]; });
+  c.of_tree("x and y of planar joints turned by the joint's angle", [](const TreeNumbers& t) {
+    for (int i = 0; i < t.joints(); ++i)
+      if (t.kind(i) == planar) t.turn_in_plane(i, TreeSlot::q_p, false);
+  });
   c.of_joints("sin and cos of continuous and planar joints exchanged", TreeSlot::q_circle, 2,
               [](Span q) { std::swap(q[0], q[1]); });
   for (int k = 0; k < oracles::joint_kinds; ++k) {
@@ -306,6 +335,12 @@ void add_bodies_and_frame(Changes& c) {
          I[0] += more(0, 0), I[1] += more(0, 1), I[2] += more(1, 1);
          I[3] += more(0, 2), I[4] += more(1, 2), I[5] += more(2, 2);
        }
+     }).any_inertia = true;
+  for (const bool first : {true, false})
+    c.of_tree(fmt::format("no body on the {} joint", first ? "first" : "last"), [first](
+                                                                                    const TreeNumbers& t) {
+       const int i = first ? 0 : t.joints() - 1;
+       t.mass(i) = 0, to_zero(t.of_joint(i, TreeSlot::I, 6));
      }).any_inertia = true;
   struct Rounded {
     const char* what;
@@ -353,7 +388,7 @@ constexpr std::string_view without_terms[]{"v = 0",
 const std::vector<TreeChange>& tree_changes() {
   static const std::vector<TreeChange> all = [] {
     Changes c;
-    add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_bodies_and_frame(c);
+    add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_mimics(c), add_bodies_and_frame(c);
     for (TreeChange& change : c.all)
       change.leaves_out = std::ranges::find(without_terms, change.text) != std::end(without_terms) ||
                           change.text.starts_with("v = 0 of ");

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <failures/tree_changes.hpp>
+#include <failures/wrong_steps.hpp>
 #include <invariants/property.hpp>
 #include <invariants/tree_laws.hpp>
 #include <invariants/witness.hpp>
@@ -109,21 +110,21 @@ std::vector<WrongTree> wrong_trees(const Series& series, std::size_t output) {
   return all;
 }
 
-/// Whether an alternative gives what was got on nine of ten trees, and on three at least. Trees for which it has no result,
-/// since it would make them singular, do not count.
+/// On how many trees an alternative gives what was got; 0 if it does not on nine of ten trees, and on three at least. Trees
+/// for which it has no result, since it would make them singular, do not count.
 template <class Alternative>
-bool explains(const std::vector<WrongTree>& trees, const Alternative& alternative) {
+std::size_t explains(const std::vector<WrongTree>& trees, const Alternative& alternative) {
   std::size_t given = 0, missed = 0;
   for (const WrongTree& tree : trees) {
-    if (stop_requested) return false;
+    if (stop_requested) return 0;
     const std::optional<Numbers> other = alternative(tree);
     if (!other) continue;
     if (has_got(tree, *other))
       ++given;
     else if (++missed > trees.size() / 10)
-      return false;
+      return 0;
   }
-  return given >= 3;
+  return given >= 3 ? given : 0;
 }
 
 /// Changes of a result alone, in words that follow "the result is". `wrong` tells which numbers are.
@@ -136,12 +137,15 @@ constexpr ChangedResult changed_results[]{
     {"the opposite of the right one", [](double x, bool) { return -x; }},
     {"twice the right one", [](double x, bool) { return 2 * x; }},
     {"rounded to float", [](double x, bool) { return oracles::rounded_to_float(x); }},
-    {"half of the right one", [](double x, bool) { return x / 2; }},
+    {"half of the right one", [](double x, bool) { return x / 2; }}};
+/// Those that say least, after all others.
+constexpr ChangedResult changed_numbers[]{
     {"right but for numbers that are 0", [](double x, bool wrong) { return wrong ? 0 : x; }},
     {"right but for numbers of the opposite sign", [](double x, bool wrong) { return wrong ? -x : x; }}};
 
-std::string change_of_result(const std::vector<WrongTree>& trees) {
-  for (const ChangedResult& change : changed_results)
+template <std::size_t N>
+std::string change_of_result(const ChangedResult (&changes)[N], const std::vector<WrongTree>& trees) {
+  for (const ChangedResult& change : changes)
     if (explains(trees, [&](const WrongTree& tree) {
           Numbers x = tree.right;
           const double scale = distance(tree.got, tree.right) / 100 / std::sqrt(x.size());
@@ -204,24 +208,39 @@ std::string tree_substitution_of(const Series& series, std::size_t output) try {
   if (series.on_robot || !is_tree_law(series.property)) return "";
   const std::vector<WrongTree> trees = wrong_trees(series, output);
   if (trees.size() < 3) return "";
-  if (std::string text = change_of_result(trees); !text.empty()) return text;
+  if (std::string text = change_of_result(changed_results, trees); !text.empty()) return text;
   if (std::string text = other_result(trees, series.outputs[output]); !text.empty()) return text;
+  const Output& of = series.outputs[output];
+  std::string best;
+  std::size_t most = 0;
+  /// The first of those that explain most trees.
+  const auto attempt = [&](const std::string& text, const auto& alternative) {
+    if (most == trees.size()) return;
+    if (const std::size_t given = explains(trees, alternative); given > most)
+      most = given, best = fmt::format("where it fails, the result is what {} would give", text);
+  };
+  std::vector<spatial::Tree> links;
+  for (const WrongTree& tree : trees) links.emplace_back(tree.input);
+  for (const spatial::WrongStep& step : spatial::wrong_steps(of.operation, of.block))
+    attempt(step.text, [&](const WrongTree& tree) {
+      return step.result(links[static_cast<std::size_t>(&tree - trees.data())], tree.measurement);
+    });
   const bool of_columns = is_of_columns(series, output);
   for (const TreeChange& change : tree_changes()) {
     const std::string& text = of_columns ? change.of_columns : change.text;
     if (text.empty()) continue;
-    if (explains(trees, [&](const WrongTree& tree) -> std::optional<Numbers> {
-          Numbers x = tree.input;
-          change.apply(x);
-          if (x == tree.input) return tree.right;
-          if (!change.any_inertia && !series.tested_law().valid(x)) return {};
-          const Comparisons c = comparisons_of(series, output, x);
-          if (tree.measurement >= c.exact.size()) return {};
-          return c.exact[tree.measurement];
-        }))
-      return fmt::format("where it fails, the result is what {} would give", text);
+    attempt(text, [&](const WrongTree& tree) -> std::optional<Numbers> {
+      Numbers x = tree.input;
+      change.apply(x);
+      if (x == tree.input) return tree.right;
+      if (!change.any_inertia && !series.tested_law().valid(x)) return {};
+      const Comparisons c = comparisons_of(series, output, x);
+      if (tree.measurement >= c.exact.size()) return {};
+      return c.exact[tree.measurement];
+    });
   }
-  return "";
+  if (!best.empty()) return best;
+  return change_of_result(changed_numbers, trees);
 } catch (const GivenUp&) {  // a signal ended a call
   return "";
 }

@@ -75,6 +75,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum> {
     return tree.joints[0].armature > T(0);
   }
   bool exists(const Output& output) const override {
+    if (!TreeLaw::exists(output)) return false;
     const auto robot = this->users_tree();
     // Without any mass there is no centre of mass.
     if (robot && std::ranges::all_of(robot->tree.joints, [](const auto& j) { return j.body.mass == 0; }))

@@ -15,8 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t tried_cases = 2000, least = 3;
 constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
-// Of subjects so slow that what is found may change from run to run; more on a busy machine.
-constexpr double most_seconds = 3;
+constexpr double most_seconds = 3;      ///< of an idle machine, for slow subjects
 constexpr std::size_t most_firsts = 6;  ///< first parts for which a second is searched
 
 // About a thousand ranges are tried. Chance alone makes the best of them gain less than 15 (natural logarithms of
@@ -71,11 +70,10 @@ class ConditionSearch {
       const Counts of_bands = count_where([&](const Tried& t) { return fails_in_(t.band); });
       if (of_bands.elsewhere > 0) gain_of_bands_ = of_bands.gain();
     }
-    auto found = separating();
-    if (found || !fails_in_) return found;
+    if (auto found = separating(); found || !fails_in_) return found;
     std::erase_if(all_, [&](const Tried& t) { return !fails_in_(t.band); });
     in_bands_ = true, gain_of_bands_ = 0;
-    found = separating();
+    auto found = separating();
     if (found) found->in_bands = true;
     return found;
   }
@@ -288,9 +286,8 @@ class ConditionSearch {
     c.feature = name(main).feature, c.low = main.low, c.high = main.high;
     for (const FeatureRange& part : f.parts)
       c.text += (c.text.empty() ? "" : " and ") + text_of(name(part), part.low, part.high, series_.format());
-    const Counts& n = f.counts;
-    c.failed = n.failed, c.cases = n.cases;
-    c.failed_elsewhere = n.failed_elsewhere, c.elsewhere = n.elsewhere;
+    c.failed = f.counts.failed, c.cases = f.counts.cases;
+    c.failed_elsewhere = f.counts.failed_elsewhere, c.elsewhere = f.counts.elsewhere;
     for (const Tried& t : all_)
       if (t.failed && (f.parts.size() == 1 || f.parts.back().holds(t)))
         c.errors.emplace_back(t[main.feature], t.error * series_.eps);
@@ -319,27 +316,36 @@ class ConditionSearch {
     if (name(part).written == Written::count) return low ? lower(f, k, *in) : void();
     if (name(part).written > Written::scale) return;
     std::ranges::stable_sort(outs, {}, [&](const Tried* t) { return low ? -value(*t) : value(*t); });
-    const auto nearest = std::ranges::find_if(
-        outs, [&](const Tried* t) { return !input_between(series_, in->input, t->input, 0.5).empty(); });
-    if (nearest == outs.end()) return;
-    double inside = value(*in), outside = value(**nearest);
-    std::vector<double> a = in->input, b = (*nearest)->input;
+    // Inputs between two may pass for another reason, before the border: three are tried.
+    std::optional<std::pair<double, double>> best;  // inside, outside
+    int left = 3;
+    for (const Tried* out : outs) {
+      if (stop_requested || input_between(series_, in->input, out->input, 0.5).empty()) continue;
+      if (left-- == 0) break;
+      const auto border_to = searched(part, *in, *out);
+      if (!best || (low ? border_to.first < best->first : border_to.first > best->first)) best = border_to;
+    }
+    if (best) move(f, k, low, between(part, best->first, best->second));
+  }
+  /// The feature of the last failing and of the first passing input that bisection between two finds.
+  std::pair<double, double> searched(const FeatureRange& part, const Tried& in, const Tried& out) {
+    double inside = in[part.feature], outside = out[part.feature];
+    std::vector<double> a = in.input, b = out.input;
     const auto closer = [&](double share) {
       const std::vector<double> x = input_between(series_, a, b, share);
       if (x.empty() || x == a || x == b || !series_.tested_law().valid(x)) return false;
       const auto tried = trial_(x);
       if (tried.size() != 1 || (in_bands_ && !fails_in_(tried[0].band))) return false;
-      const double v = value(tried[0]);
+      const double v = tried[0][part.feature];
       if (!(v >= std::min(inside, outside) && v <= std::max(inside, outside))) return false;
       (tried[0].failed ? inside : outside) = v;
       (tried[0].failed ? a : b) = x;
       return true;
     };
-    // A vector between two that point elsewhere may be shorter than both, and longer ones are near the ends.
-    const double shares[] = {0.5, 0.25, 0.75, 0.1, 0.9};
+    const double shares[] = {0.5, 0.25, 0.75, 0.1, 0.9};  // a vector between two may be shorter than both
     for (int i = 0; i < 40 && a.size() == b.size() && !stop_requested; ++i)
       if (std::ranges::none_of(shares, closer)) break;
-    move(f, k, low, between(part, inside, outside));
+    return {inside, outside};
   }
   /// Takes joints from the input until it passes.
   void lower(Found& f, std::size_t k, const Tried& failing) {
@@ -358,26 +364,20 @@ class ConditionSearch {
     std::vector<FeatureRange> moved = f.parts;
     (low ? moved[k].low : moved[k].high) = to;
     const Counts c = count(moved);
-    if (c.errors() <= f.counts.errors()) f.parts = moved, f.counts = c;
+    // Where some inputs pass on either side, a failing one beyond the border tells more than counts.
+    const std::uint64_t n = f.counts.cases, outside = f.counts.failed_elsewhere + c.failed_elsewhere;
+    const bool necessary = outside == 0 && c.cases >= n && 10 * c.cases < 13 * n;
+    if (necessary || c.errors() <= f.counts.errors()) f.parts = moved, f.counts = c;
   }
-  /// The border between two values: the shortest size or number, in the unit in which it is written.
+  /// The border between two values, in the unit in which it is written.
   double between(const FeatureRange& part, double inside, double outside) const {
     if (name(part).written == Written::scale) {  // not the shortest logarithm
-      const double most = series_.format().max_exponent;
-      const double size = std::log2(shortest(std::exp2(inside * most), std::exp2(outside * most))) / most;
+      const double most = series_.format().max_exponent, a = std::exp2(inside * most),
+                   b = std::exp2(outside * most), size = std::log2(shortest_between(a, b)) / most;
       if (std::isfinite(size)) return size;
     }
     const double unit = name(part).unit == " eps" ? series_.format().epsilon : 1;
-    return shortest(inside * unit, outside * unit) / unit;
-  }
-  static double shortest(double a, double b) {
-    const double low = std::min(a, b), high = std::max(a, b);
-    if (low <= 0 && high >= 0) return 0;
-    for (int digits = 1; digits < 17; ++digits) {
-      const double x = std::stod(fmt::format("{:.{}g}", (a + b) / 2, digits));
-      if (x >= low && x <= high) return x;
-    }
-    return (a + b) / 2;
+    return shortest_between(inside * unit, outside * unit) / unit;
   }
 
   const Series& series_;

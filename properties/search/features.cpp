@@ -302,4 +302,14 @@ Features features_of(const NumberFunction& function, const std::vector<double>& 
   return sorter.result();
 }
 
+double shortest_between(double a, double b) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  if (low <= 0 && high >= 0) return 0;
+  for (int digits = 1; digits < 17; ++digits) {
+    const double x = std::stod(fmt::format("{:.{}g}", (a + b) / 2, digits));
+    if (x >= low && x <= high) return x;
+  }
+  return (a + b) / 2;
+}
+
 }  // namespace liecheck::properties

@@ -114,4 +114,7 @@ Context context_of(const Tree<double>& tree);
 Features features_of(const NumberFunction& function, const std::vector<double>& arguments,
                      const Context& context);
 
+/// The number between two that has the fewest digits; 0 if it is between them.
+double shortest_between(double a, double b);
+
 }  // namespace liecheck::properties

@@ -4,41 +4,13 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <functional>
 #include <subjects/call_refused.hpp>
 #include <subjects/tree.hpp>
 
-#include "../own_subject.hpp"
-#include "finding_texts.hpp"
+#include "tree_faults.hpp"
 
 namespace liecheck::properties {
 namespace {
-
-using Plant = std::function<void(TreeOperations<double>&, const Tree<double>&)>;
-
-/// The findings of liecheck's functions on trees that `plant` changes, in one law or more.
-std::vector<std::string> findings_of_tree(const std::vector<std::string>& laws, const Plant& plant,
-                                          std::uint64_t cases = 150) {
-  static int number = 0;
-  TypedSubject<double> s;
-  s.name = "tree_fault_" + std::to_string(++number);
-  s.operations.tree = [plant](const Tree<double>& tree) {
-    TreeOperations<double> o = own_subject().operations.tree(tree);
-    plant(o, tree);
-    return o;
-  };
-  const Registered<double> registered(s);
-  return finding_texts(s.name, laws, cases);
-}
-/// Changes one function of a tree.
-template <class O, class F>
-void change(TreeOperations<double>& o, const O& operation, const F& f) {
-  o[operation] = [right = o[operation], f](const auto&... arguments) {
-    auto result = right(arguments...);
-    f(result, arguments...);
-    return result;
-  };
-}
 
 TEST(TreeFindings, ARefusalIsThatOfTheOperationThatRefused) {
   const auto all = findings_of_tree({"tree_momentum"}, [](auto& o, const auto&) {
