@@ -284,7 +284,7 @@ std::string constant_of(const Operation& operation, const std::vector<JudgedCall
         of_got = std::hypot(of_got, c.call.result[i]), of_right = std::hypot(of_right, c.right[i]);
         apart = std::hypot(apart, c.call.result[i] - c.right[i]);
       }
-      if (!(apart > 1e-13 * of_right) || !(apart < 0.01)) continue;
+      if (!(apart > 1e-12 * std::max(of_right, 1.0)) || !(apart < 0.01)) continue;
       // Another direction is no other angle.
       if (std::fabs(of_got - of_right) < 0.99 * apart) return "";
       more.push_back(of_got - of_right);

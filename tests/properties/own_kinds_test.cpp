@@ -35,7 +35,22 @@ Subject halved(const std::string& name, const std::vector<std::string>& joints) 
   return all;
 }
 
+/// liecheck's forward dynamics of trees of revolute joints alone.
+Subject without_free_flyers() {
+  TypedSubject<double> s;
+  s.name = "kinds:fixed";
+  s.operations.tree = [](const Tree<double>& tree) {
+    TreeOperations<double> few;
+    few[op::tree_aba] = own_subject().operations.tree(tree)[op::tree_aba];
+    return few;
+  };
+  Subject all = erased(s);
+  all.takes.joints = JointSet(std::vector<std::string>{"revolute"});
+  return all;
+}
+
 const bool are_registered = [] {
+  register_subject(without_free_flyers());
   register_subject(halved("kinds:revolute", {"revolute"}));
   register_subject(halved("kinds:every", {}));
   Subject euler{"kinds:euler", "1", "", &oracles::scalar_of<double>};
@@ -59,6 +74,12 @@ TEST(OwnKinds, AnArmOfTwoJointsIsTriedOnALibraryOfRevoluteJointsAlone) {
   EXPECT_EQ(id, "g4.42.lagrange.kinds:revolute.double.revolute.7");
   EXPECT_EQ(s->numbers(CaseId::parse(id)), s->numbers(s->id(42, 7)));
   EXPECT_EQ(series("kinds:revolute", "tree_momentum"), nullptr);  // needs a free-flyer
+}
+
+TEST(OwnKinds, TheMomentumOfFloatingTreesIsNoLawForALibraryWithoutFreeFlyers) {
+  const std::unique_ptr<Series> s = series("kinds:fixed", "tree_momentum");
+  EXPECT_TRUE(!s || s->outputs.empty());
+  EXPECT_NE(series("kinds:fixed", "forward_dynamics"), nullptr);
 }
 
 TEST(OwnKinds, WhoTakesEveryKindGetsTheInputsOfAll) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <failures/relations.hpp>
 #include <failures/single_numbers.hpp>
+#include <numbers>
 #include "../own_subject.hpp"
 #include "finding_texts.hpp"
 
@@ -244,6 +245,73 @@ TEST(Substitutions, AVectorInAnotherFrame) {
   EXPECT_EQ(
       substitution_of(op::rotate_point, calls),
       "where it fails, the result is what R(Q) p in place of p would give: it is taken in another frame");
+}
+
+TEST(Substitutions, AnAngleThatIsWrongByAConstant) {
+  const auto with_pi = [](double two_pi) {
+    return [two_pi](const auto&, auto& result) {
+      const double angle = std::hypot(result[0], result[1], result[2]);
+      for (double& x : result) x *= (angle + two_pi - 2 * std::numbers::pi) / angle;
+    };
+  };
+  const auto calls = [&](double two_pi) {
+    auto all = calls_of(op::log3_quaternion, numbers(4), [](const auto&, auto&) {});
+    for (JudgedCall& c : all) with_pi(two_pi)(c.call.arguments, c.call.result);
+    return all;
+  };
+  EXPECT_EQ(constant_of(op::log3_quaternion, calls(static_cast<float>(2 * std::numbers::pi))),
+            "where it fails, the angle is 1.7e-07 rad too large: 2 pi in float");
+  EXPECT_EQ(constant_of(op::log3_quaternion, calls(6.2831853)),
+            "where it fails, the angle is 7.2e-09 rad too small: 6.2831853 in place of 2 pi");
+  EXPECT_EQ(constant_of(op::log3_quaternion, calls(6.2841)),
+            "where it fails, the angle is 0.00091 rad too large");
+  EXPECT_EQ(constant_of(op::log3_quaternion, calls_of(op::log3_quaternion, numbers(4),
+                                                      [](const auto&, auto& r) { r[0] += 1e-5; })),
+            "");
+}
+
+TEST(Substitutions, AnApproximation) {
+  const auto calls = [](double error) {
+    std::vector<std::vector<double>> x = numbers(4);
+    for (const auto& more : numbers(4)) x.push_back({more[3], more[2], more[1], more[0]});
+    auto all = calls_of(op::log3_quaternion, x, [](const auto&, auto&) {});
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].call.result[i % 3] *= 1 + error;
+    return all;
+  };
+  const std::string text = approximation_of(op::log3_quaternion, calls(5e-6));
+  EXPECT_TRUE(text.starts_with("an approximation: most results are right to 5 digits")) << text;
+  EXPECT_EQ(approximation_of(op::log3_quaternion, calls(0.5)), "");
+}
+
+TEST(Substitutions, SeveralNumbersOfTheOppositeSign) {
+  const auto calls = calls_of(op::exp6, numbers(6), [](const auto&, auto& result) {
+    for (const std::size_t i : {1u, 3u}) result[i] = -result[i];
+  });
+  EXPECT_EQ(wrong_numbers_of(op::exp6, calls), "where it fails, R[0,1], R[1,0] are of the opposite sign");
+}
+
+TEST(Substitutions, PartsThatAreWrongEachInItsOwnWay) {
+  const auto zero = calls_of(op::cross_motion, numbers(12),
+                             [](const auto&, auto& result) { std::ranges::fill(result, 0.0); });
+  EXPECT_EQ(substitution_of(op::cross_motion, zero), "where it fails, the result is 0");
+  const auto two = calls_of(op::cross_motion, numbers(12), [](const auto& x, auto& result) {
+    for (std::size_t i = 0; i < 3; ++i) result[i] = x[i] * x[6] + 1, result[3 + i] = -result[3 + i];
+  });
+  EXPECT_EQ(substitution_of(op::cross_motion, two),
+            "where it fails, angular is the opposite of the right one");
+}
+
+TEST(Substitutions, AnAngleThatIsCutOffAtPi) {
+  std::vector<std::vector<double>> x = numbers(3);
+  for (auto& phi : x)
+    for (double& v : phi) v *= 5;
+  const auto calls = calls_of(op::exp3_quaternion, x, [](const std::vector<double>& phi, auto& result) {
+    const double angle = std::hypot(phi[0], phi[1], phi[2]), part = std::min(1.0, std::numbers::pi / angle);
+    const double sin = std::sin(part * angle / 2) / angle;
+    result = {sin * phi[0], sin * phi[1], sin * phi[2], std::cos(part * angle / 2)};
+  });
+  EXPECT_EQ(substitution_of(op::exp3_quaternion, calls),
+            "where it fails, the result is what phi with its angle cut off at pi would give");
 }
 
 TEST(Substitutions, NothingIsSaidOfRandomErrors) {
