@@ -44,6 +44,20 @@ constexpr const char* half_way =
     "rho turned by half of the rotation (the midpoint rule) in place of V(phi) rho";
 constexpr const char* whole_way = "R rho in place of V(phi) rho";
 
+constexpr const char* moved_inertia =
+    "m (|p|^2 1 - p p^T) is added to I_C, as if it were about the origin: about the centre of mass it does "
+    "not "
+    "change with p";
+/// I_C of a moved inertia, from (X, I), with the term of parallel axes.
+Values with_steiner(const char* operation, const Numbers& x) {
+  Values I = given(exact(operation, x), 4, 9);
+  const Eigen::Vector3d p = given(x, 9, 3);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      I[3 * i + k] += x.at(12) * ((i == k ? p.squaredNorm() : 0) - p[i] * p[k]);
+  return I;
+}
+
 /// A formula that libraries have in place of the right one, for some numbers of the result.
 struct Alternative {
   const char* operation;
@@ -114,6 +128,17 @@ const Alternative alternatives[] = {
        return RowMajor3(exact("left_jacobian3_inverse", phi).data()) * (given(x, 7, 3) - given(x, 0, 3));
      },
      "p1 - p0 is not turned into the frame of q0"},
+    {"difference", 0, 3,
+     [](const Numbers& x) -> Values {
+       const Numbers pose = relative_pose(x), phi = exact("log3_matrix", {pose.begin(), pose.begin() + 9});
+       const Eigen::Matrix3d R = RowMajor3(pose.data());
+       return RowMajor3(exact("left_jacobian3_inverse", phi).data()) * (R.transpose() * given(pose, 9, 3));
+     },
+     "p1 - p0 is turned into the frame of q1 in place of q0"},
+    {"act_inertia", 4, 9, [](const Numbers& x) -> Values { return with_steiner("act_inertia", x); },
+     moved_inertia},
+    {"act_inverse_inertia", 4, 9,
+     [](const Numbers& x) -> Values { return with_steiner("act_inverse_inertia", x); }, moved_inertia},
     {"relative_angle", 0, 1,
      [](const Numbers& x) -> Values {
        return Values::Constant(1, 2 * std::numbers::pi - exact("relative_angle", x)[0]);

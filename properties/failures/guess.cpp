@@ -273,11 +273,13 @@ std::string guess_of(const FailedBlock& f) {
     return calls->empty() ? std::string()
                           : cause(*f.worst->series->outputs.at(f.worst->output).record, *calls);
   };
+  // A result in float is rounded to float anyway, and a NaN is no rounding.
+  const bool of_double = eps < 1e-10 && !worst_outcome(*f.worst->row).starts_with("NaN");
   if (has_alternatives(operation_of(f)))
     if (std::string guess = of_calls(alternative_of); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
-    if (other.empty()) other = of_calls(float_of);
+    if (other.empty() && of_double) other = of_calls(float_of);
     for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
       if (other.empty()) other = of_calls(cause);
     if (!other.empty() || operation_of(f).starts_with("euler_from")) return other;
@@ -300,8 +302,8 @@ std::string guess_of(const FailedBlock& f) {
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
-  for (const auto cause :
-       {float_of, substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
+  if (std::string guess = of_double ? of_calls(float_of) : ""; !guess.empty()) return guess;
+  for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
     if (std::string guess = of_calls(cause); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   // A constant that is cut has nine digits at most, and an iteration that ends too early gives four at least.

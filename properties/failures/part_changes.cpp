@@ -115,6 +115,7 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
             name + " beyond [-pi, pi]",
             [](Span x) { x[0] += x[0] > 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi; });
     whole("its absolute value", "|" + name + "|", [](Span x) { x[0] = std::fabs(x[0]); });
+    whole("1", name + " = 1", [](Span x) { x[0] = 1; });
     for (const double factor : {2.0, 0.5})
       whole(fmt::format("{} times the right one", factor), fmt::format("{} {}", factor, name),
             [factor](Span x) { x[0] *= factor; });
@@ -144,6 +145,21 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
   }
 }
 void add_exchanges(const std::vector<PartPlace>& all, std::vector<PartChange>& changes) {
+  // Arguments of several parts, such as two poses.
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t next = i, size = 0;
+    for (; next < all.size() && all[next].layout == all[i].layout; ++next) size += all[next].size;
+    std::size_t of_next = 0;
+    for (std::size_t k = next; k < all.size() && all[k].layout == all[next].layout; ++k)
+      of_next += all[k].size;
+    if (next - i > 1 && size == of_next)
+      changes.push_back({fmt::format("{} and {} exchanged", all[i].layout->name, all[next].layout->name),
+                         [from = all[i].from, size](Numbers& x) {
+                           const Span both = Span(x).subspan(from, 2 * size);
+                           std::ranges::swap_ranges(both.first(size), both.last(size));
+                         }});
+    i = next;
+  }
   for (const PartPlace& a : all)
     for (const PartPlace& b : all) {
       if (a.from == b.from || a.size != b.size) continue;

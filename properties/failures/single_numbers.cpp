@@ -141,14 +141,14 @@ std::string in_place_of(const Operation& operation, const std::vector<JudgedCall
   if (std::string text = matrix_in_place_of(operation, calls); !text.empty()) return text;
   struct Vector {
     std::string_view name;
-    std::size_t from;
+    std::size_t from, size;
   };
   const auto vectors = [](const auto& layouts) {
     std::vector<Vector> all;
     std::size_t from = 0;
     for (const Layout* l : layouts)
       for (const Part& p : l->parts) {
-        if (p.size == 3) all.push_back({p.name, from});
+        if (p.size == 3 || p.size == 4) all.push_back({p.name, from, static_cast<std::size_t>(p.size)});
         from += static_cast<std::size_t>(std::max(p.size, 0));
       }
     return all;
@@ -158,10 +158,12 @@ std::string in_place_of(const Operation& operation, const std::vector<JudgedCall
     for (const Vector& a : arguments)
       for (std::size_t k = 0; k <= arguments.size();
            ++k) {  // the product alone, or without what is added to it
-        if (k < arguments.size() && arguments[k].from == a.from) continue;
+        if (to.size != a.size ||
+            (k < arguments.size() && (arguments[k].from == a.from || arguments[k].size != a.size)))
+          continue;
         if (given(calls, [&](const JudgedCall& c) {
               Numbers x = c.call.arguments, y = c.right;
-              for (std::size_t i = 0; i < 3; ++i) {
+              for (std::size_t i = 0; i < to.size; ++i) {
                 y[to.from + i] = exact(operation.name.data(), x).at(to.from + i);
                 x[a.from + i] = y[to.from + i] - (k < arguments.size() ? x[arguments[k].from + i] : 0);
               }
