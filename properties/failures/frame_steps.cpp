@@ -81,7 +81,24 @@ void add_offsets(Steps& s, bool velocity, bool classical, std::string_view block
   };
   using Found = std::optional<Vector6>;
   const auto centripetal = [](const Vector6& V, const Vector3& u) { return V.tail<3>().cross(u).eval(); };
+  if (!velocity)
+    s.add("accelerations of the world by -g", [=](const Tree& t, std::size_t view) {
+      const Motions m = motions(t, t.at, t.gravity, right);
+      const auto i = static_cast<std::size_t>(t.frame_joint);
+      const Vector6 V = seen(t, in_frame(t, m.V[i]), view);
+      Vector6 A = seen(t, in_frame(t, m.A[i]), view);
+      if (classical) A.head<3>() += centripetal(V, V.head<3>());
+      return std::optional(half(A, block));
+    });
   if (classical) {
+    add("omega x u in the frame's axes in LOCAL_WORLD_ALIGNED",
+        [=](const Tree& t, const Vector6& V, const Vector6& A, std::size_t view) -> Found {
+          if (view != 2) return {};
+          const Vector6 local = in_frame(t, V);
+          Vector6 aligned = seen(t, in_frame(t, A), 2);
+          aligned.head<3>() += centripetal(local, local.head<3>());
+          return aligned;
+        });
     add("the acceleration of the joint's origin and omega' x p, without omega x (omega x p),",
         [=](const Tree& t, const Vector6& V, Vector6 A, std::size_t view) -> Found {
           if (view == 0) return {};
@@ -208,6 +225,11 @@ void add_energies(Steps& s) {
   });
 }
 void add_potentials(Steps& s) {
+  s.add("centres of mass that are not turned to the world's axes", [](const Tree& t, std::size_t) {
+    double V = 0;
+    for (const Link& l : t.links) V -= l.mass * t.gravity.dot(l.p + l.com);
+    return std::optional(Numbers{V});
+  });
   s.add("a centre of mass that is not weighted by the masses", [](const Tree& t, std::size_t) {
     double mass = 0;
     for (const Link& l : t.links) mass += l.mass;

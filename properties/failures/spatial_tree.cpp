@@ -114,7 +114,11 @@ Motions motions(const Tree& t, const State& at, const Vector3& gravity, const Wr
       A = with_arm(X, turns || step == turned_accelerations ? 0 : 1) * A;
     const Vector6 c = cross_motion(step == held_V_of_coriolis ? held->V[i] : V) *
                       (step == held_joint_velocity ? Vector6(l.S * before->v.segment(l.v, l.size)) : joint);
-    A += l.S * at.a.segment(l.v, l.size) + (step == no_coriolis ? 0 : step == opposite_coriolis ? -1 : 1) * c;
+    Vector6 coriolis = step == no_coriolis ? Vector6(Vector6::Zero()) : c;
+    if (step == opposite_coriolis) coriolis = -c;
+    if (step == no_linear_coriolis) coriolis.head<3>().setZero();
+    if (step == no_angular_coriolis) coriolis.tail<3>().setZero();
+    A += l.S * at.a.segment(l.v, l.size) + coriolis;
     m.V.push_back(V), m.A.push_back(A);
   }
   return m;
@@ -129,7 +133,8 @@ Vector torque(const Tree& t, const State& at, const Vector3& gravity, bool pushe
   for (std::size_t i = 0; i < t.links.size(); ++i) {
     const Link& l = t.links[i];
     const Step step = wrong.of(l);
-    own.push_back(l.I * m.A[i] + gyroscopic(l, m.V[i], step, before ? &held.V[i] : nullptr));
+    const Vector6 V = step == gyroscopic_of_own ? Vector6(l.S * at.v.segment(l.v, l.size)) : m.V[i];
+    own.push_back(l.I * m.A[i] + gyroscopic(l, V, step, before ? &held.V[i] : nullptr));
     if (pushed && step != own_wrench) own.back() -= l.wrench;
   }
   for (std::size_t i = t.links.size(); i-- > 0;) {

@@ -26,6 +26,8 @@ enum class Step {
   no_gyroscopic_moment,
   no_coriolis,
   opposite_coriolis,
+  no_linear_coriolis,
+  no_angular_coriolis,
   own_velocities,
   own_accelerations,
   turned_velocities,
@@ -40,6 +42,7 @@ enum class Step {
   gravity_of_first,
   about_world,
   one_torque,
+  gyroscopic_of_own,
   // the mass matrix
   turned_inertias,
   own_inertias,

@@ -16,6 +16,7 @@ constexpr Named of_torque[]{
     {one_child, "forces of one child alone passed to the parent"},
     {own_wrench, "the wrench that is not passed to the parent"},
     {diagonal_gyroscopic, "V x* (I V) with the diagonal of I_C alone"},
+    {gyroscopic_of_own, "V x* (I V) with S v in place of V"},
     {gravity_of_first, "gravity on the first joint and what it carries alone"},
     {about_world, "moments about the world's origin in place of the joint's"},
     {one_torque, "the torque of one joint alone where mimics share it"},
@@ -100,6 +101,11 @@ void add_mass_inverses(Steps& s) {
     return numbers_of(inverse);
   });
   add_damped(s, false);
+  s.add("forward dynamics with gravity", [](const Tree& t, std::size_t) {
+    Matrix inverse = mass_matrix(t, right).inverse();
+    inverse.colwise() -= (inverse * torque(t, without_a(t, true), t.gravity, false, right)).eval();
+    return std::optional(numbers_of(inverse));
+  });
 }
 void add_accelerations(Steps& s) {
   add_of_torque(s, [](const Tree& t, const Wrong& step) -> std::optional<Numbers> {

@@ -61,6 +61,8 @@ class Steps {
 inline constexpr Named of_motions[]{
     {no_coriolis, "accelerations without V x (S v)"},
     {opposite_coriolis, "accelerations with -V x (S v)"},
+    {no_linear_coriolis, "accelerations without the linear part of V x (S v)"},
+    {no_angular_coriolis, "accelerations without the angular part of V x (S v)"},
     {own_velocities, "velocities S v of each joint without its parent's"},
     {own_accelerations, "accelerations of each joint without its parent's"},
     {turned_velocities, "velocities of the parent that are turned, but not moved, to the joint"},
