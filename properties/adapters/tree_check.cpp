@@ -5,6 +5,7 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <invariants/tree_law.hpp>
 #include <iterator>
 #include <operations/numbers.hpp>
@@ -136,6 +137,23 @@ std::string explanation(const Operation& o, std::vector<double> x, const std::ve
   return halves && difference(x, right).empty() ? ": its angular part comes first" : "";
 }
 
+/// V x of the columns of J (6 x nv, row by row) for a velocity V = J v.
+std::vector<double> moved_columns(const std::vector<double>& J, const std::vector<double>& v) {
+  const std::size_t n = v.size();
+  std::vector<double> V(6), all(J.size());
+  for (std::size_t i = 0; i < J.size(); ++i) V[i / n] += J[i] * v[i % n];
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto cross = [&](std::size_t a, std::size_t b) {  // component i of V[a..] x column k of J from b
+        const std::size_t y = (i + 1) % 3, z = (i + 2) % 3;
+        return V[a + y] * J[(b + z) * n + k] - V[a + z] * J[(b + y) * n + k];
+      };
+      all[i * n + k] = cross(3, 0) + cross(0, 3);
+      all[(3 + i) * n + k] = cross(3, 3);
+    }
+  return all;
+}
+
 class TreeCheck {
  public:
   TreeCheck(Adapter& adapter, const Scalar& scalar, const Tree<double>& tree,
@@ -151,6 +169,11 @@ class TreeCheck {
 
   template <const auto&... all>
   void each(const Slots<double, all...>& reference) {
+    if constexpr (std::is_base_of_v<Slot<double, std::remove_cvref_t<decltype(op::frame_jacobian)>>,
+                                    Slots<double, all...>>)
+      columns_ = [&](const std::vector<double>& x) {
+        return called(reference[op::frame_jacobian], op::frame_jacobian, x.data(), model_.size());
+      };
     const auto right = [&](const auto& o) {
       one(o, [&](const std::vector<double>& x) { return called(reference[o], o, x.data(), model_.size()); });
     };
@@ -173,6 +196,17 @@ class TreeCheck {
       if (!at->complaint.empty() || (!sees(o) && seen != Seen::world)) return;
       scalar_.with([&]<class S>() { at->complaint = asked<S>(o, reference, seen); });
     }
+  }
+  /// Whether a rate of a Jacobian in LOCAL lacks the term of the frame's own velocity V = J v, in words, or "". Its product
+  /// with v is right, since V x V = 0.
+  std::string without_own_velocity(const State& at, std::vector<double> x,
+                                   const std::vector<double>& right) const {
+    std::vector<double> arguments = at.q;
+    arguments.push_back(static_cast<double>(Seen::local));
+    const std::vector<double> term = moved_columns(columns_(arguments), at.v);
+    if (term.size() != x.size()) return "";
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= term[i];
+    return difference(x, right).empty() ? ": it lacks - V x J, the frame's own velocity" : "";
   }
   template <class S>
   std::string asked(const Operation& o, const Reference& reference, Seen seen) try {
@@ -209,6 +243,8 @@ class TreeCheck {
       std::string wrong = difference(got, right[k]);
       if (wrong.empty()) continue;
       wrong += explanation(o, got, right[k]);
+      if (seen == Seen::local && o.name == op::frame_jacobian_rate.name)
+        wrong += without_own_velocity(k == 0 ? first_ : second_, got, right[k]);
       constexpr const char* references[] = {" in WORLD", " in LOCAL", " in LOCAL_WORLD_ALIGNED"};
       findings_.push_back({false,
                            fmt::format("{} {}{}: {}", o.name, where_,
@@ -227,6 +263,7 @@ class TreeCheck {
   std::vector<conventions::Finding>& findings_;
   Model model_;
   std::string where_;
+  std::function<std::vector<double>(const std::vector<double>&)> columns_;  ///< J at q, as seen
   Numbers number_;
   State first_, second_;
   std::set<std::string> references_ = references_taken(adapter_);

@@ -131,6 +131,9 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
   for (std::size_t i = 0; i < at.size; ++i) {
     number(i, "0", "{} = 0", [i](Span x) { x[i] = 0; });
     number(i, "its absolute value", "|{0}| in place of {0}", [i](Span x) { x[i] = std::fabs(x[i]); });
+    if (of_result && at.part->name == "angles")
+      number(i, "off by pi, as atan(y / x) is in place of atan2(y, x)", "",
+             [i](Span x) { x[i] += x[i] > 0 ? -std::numbers::pi : std::numbers::pi; });
     number(i, "of the opposite sign", "{} of the opposite sign", [i](Span x) { x[i] = -x[i]; });
     if (at.size > 9) continue;
     for (std::size_t k = 0; k < at.size; ++k) {

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <oracles/orientations.hpp>
 #include <span>
 #include <support/stop.hpp>
 
@@ -72,7 +73,6 @@ std::vector<PartPlace> results_of(const Operation& operation) {
 
 /// So many wrong calls tell enough, and 100 changes of each are soon tried.
 constexpr std::size_t enough = 12;
-
 /// The wrong calls of an operation, and which parts of their results are wrong by more than a share.
 class Wrong {
  public:
@@ -231,6 +231,11 @@ std::string factor_of(const Wrong& wrong) {
   return "";
 }
 
+/// Whether Euler angles are unique, so that they can be compared: a tenth or more from gimbal lock.
+bool are_unique(const Numbers& angles, int number) {
+  const oracles::Order order(number);
+  return std::fabs(order.axes[0] == order.axes[2] ? std::sin(angles[1]) : std::cos(angles[1])) > 0.1;
+}
 std::vector<PartPlace> places_of_arguments(const Operation& operation) {
   return places_of({operation.arguments.begin(), operation.arguments.size()});
 }
@@ -248,6 +253,8 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
       Numbers right;
       for (const oracles::Real& x : expected_of(call)) right.push_back(static_cast<double>(x));
       if (right.size() != call.result.size()) continue;
+      if (operation.name.starts_with("euler_from") && !are_unique(right, static_cast<int>(call.arguments[0])))
+        continue;
       call.result = in_blocks(operation, call.result);
       all.push_back({std::move(call), in_blocks(operation, right)});
       if ((wrong += Wrong(operation, {all.back()}, 1e-6).count()) == enough) return all;
@@ -343,12 +350,11 @@ std::string change_of_all(const Wrong& wrong) {
 }
 
 /// The calls without large arguments, with which sums of products overflow.
-std::vector<JudgedCall> of_ordinary_arguments(const std::vector<JudgedCall>& calls) {
-  std::vector<JudgedCall> all;
-  std::ranges::copy_if(calls, std::back_inserter(all), [](const JudgedCall& c) {
-    return std::ranges::all_of(c.call.arguments, [](double x) { return std::fabs(x) < 1e15; });
+std::vector<JudgedCall> of_ordinary_arguments(std::vector<JudgedCall> calls) {
+  std::erase_if(calls, [](const JudgedCall& c) {
+    return std::ranges::any_of(c.call.arguments, [](double x) { return !(std::fabs(x) < 1e15); });
   });
-  return all;
+  return calls;
 }
 
 /// The calls whose results are one number, or have several of like size: of one large number, each error is a factor.

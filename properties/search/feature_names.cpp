@@ -244,6 +244,11 @@ class ArgumentReader {
     either(is_proper(oracles::Order(number)), [] {
       return Pair("the first axis of the order is its last", "the axes of the order are three (Tait-Bryan)");
     });
+    const auto is_cyclic = [](const oracles::Order& o) { return (o.axes[1] - o.axes[0] + 3) % 3 == 1; };
+    either(!is_cyclic(oracles::Order(number)), [] {
+      return Pair("the first two axes of the order are not cyclic (XZ, YX, ZY)",
+                  "the first two axes of the order are cyclic (XY, YZ, ZX)");
+    });
     for (int k = 0; k < 24; k += 2) {
       const std::string axes = oracles::Order(k).name();
       flag(number / 2 == k / 2, [&] { return Pair("the order is " + axes, "the order is not " + axes); });

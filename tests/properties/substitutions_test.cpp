@@ -301,6 +301,17 @@ TEST(Substitutions, PartsThatAreWrongEachInItsOwnWay) {
             "where it fails, angular is the opposite of the right one");
 }
 
+TEST(Substitutions, AnEulerAngleThatIsOffByPi) {
+  std::vector<std::vector<double>> x = numbers(5);
+  for (auto& of_call : x) of_call[0] = 11;
+  const auto calls = calls_of(op::euler_from_quaternion, x, [](const auto&, std::vector<double>& angles) {
+    angles[0] += angles[0] > 0 ? -std::numbers::pi : std::numbers::pi;
+  });
+  EXPECT_EQ(substitution_of(op::euler_from_quaternion, calls),
+            "where it fails, the result is right but for angles[0], which is off by pi, as atan(y / x) is in "
+            "place of atan2(y, x)");
+}
+
 TEST(Substitutions, AnAngleThatIsCutOffAtPi) {
   std::vector<std::vector<double>> x = numbers(3);
   for (auto& phi : x)

@@ -284,6 +284,28 @@ TEST(TreeAdapters, ACheckSaysWhichNumberIsWrong) {
   }
 }
 
+TEST(TreeAdapters, ACheckSaysWhereTheRateOfAJacobianLacksTheFramesOwnVelocity) {
+  const std::string calls = "calls, answers = sys.stdin.buffer", rate = R"(
+def rate(t, q, v, seen, frame):
+    from tree import action, ad, inverse, rotation
+    (R, p), i, J, V = (rotation(frame[1:5]), frame[5:]), int(frame[0]), np.zeros((6, t.nv)), t.motion(q, v, v)[0]
+    while i >= 0:
+        j = t.joints[i]
+        J[:, j["v"]] += action(*inverse(R, p)) @ ad(V[i]) @ j["S"]
+        R_i, p_i = t.pose(j, q)
+        R, p, i = R_i @ R, p_i + R_i @ p, j["parent"]
+    return t.seen(q, frame, seen[0]) @ J
+CALLS["frame_jacobian_rate"] = ("q v 1 8", "6v", rate)
+)";
+  const Checked checked = check(*start(altered("rate", "adapter.py", calls, rate + calls)));
+  ASSERT_FALSE(checked.findings.empty());
+  const std::string& sentence = checked.findings[0].sentence;
+  EXPECT_EQ(sentence.find("frame_jacobian_rate of a chain of joints with two bodies each in LOCAL: number "),
+            0u)
+      << sentence;
+  EXPECT_TRUE(sentence.ends_with(" is right: it lacks - V x J, the frame's own velocity")) << sentence;
+}
+
 TEST(TreeAdapters, AWrongCallOfTheProbeWhoseOperationPassesFails) {
   // Only one law has two bodies on a joint, and only for inverse dynamics.
   const std::string adapter =
