@@ -10,6 +10,7 @@
 #include <failures/calls.hpp>
 #include <failures/shapes.hpp>
 #include <failures/single_numbers.hpp>
+#include <failures/terms.hpp>
 #include <failures/tree_substitutions.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
@@ -280,7 +281,8 @@ std::string guess_of(const FailedBlock& f) {
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
     if (other.empty() && of_double) other = of_calls(float_of);
-    for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_numbers_of})
+    for (const auto cause :
+         {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_term_of, wrong_numbers_of})
       if (other.empty()) other = of_calls(cause);
     if (!other.empty() || operation_of(f).starts_with("euler_from")) return other;
     if (f.worst->series->on_robot || is_tree_law(f.worst->series->property)) return "";

@@ -1,0 +1,319 @@
+#include <failures/terms.hpp>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <failures/relations.hpp>
+#include <utility>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Values = Eigen::VectorXd;
+using V3 = Eigen::Vector3d;
+using M3 = Eigen::Matrix3d;
+using Terms = std::vector<std::pair<const char*, Values>>;
+
+V3 vector_at(const Numbers& x, std::size_t from) {
+  return V3(&x.at(from));
+}
+M3 matrix_at(const Numbers& x, std::size_t from) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&x.at(from));
+}
+M3 hat(const V3& a) {
+  M3 m;
+  m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
+  return m;
+}
+Values by_rows(const M3& m) {
+  return m.transpose().reshaped();
+}
+Values number(double x) {
+  return Values::Constant(1, x);
+}
+
+/// The coefficients of the series in phi, at an angle that is large enough for closed forms in double.
+struct Coefficients {
+  explicit Coefficients(const V3& phi)
+      : theta(phi.norm()),
+        A(std::sin(theta) / theta),
+        B((1 - std::cos(theta)) / (theta * theta)),
+        C((theta - std::sin(theta)) / std::pow(theta, 3)),
+        D((1 - theta / 2 / std::tan(theta / 2)) / (theta * theta)),
+        E((theta * theta + 2 * std::cos(theta) - 2) / (2 * std::pow(theta, 4))),
+        F((2 * theta - 3 * std::sin(theta) + theta * std::cos(theta)) / (2 * std::pow(theta, 5))) {}
+  bool known() const { return theta > 0.01 && theta < 6; }
+  double theta, A, B, C, D, E, F;
+};
+
+/// V d for V = 1 + B [phi] + C [phi]^2, turned by R; and V^-1 d.
+Terms of_V(const V3& phi, const V3& d, const M3& R = M3::Identity()) {
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  return {{"rho", R * d},
+          {"(1 - cos(theta))/theta^2 phi x rho", R * (k.B * phi.cross(d))},
+          {"(theta - sin(theta))/theta^3 phi x (phi x rho)", R * (k.C * phi.cross(phi.cross(d)))}};
+}
+Terms of_V_inverse(const V3& phi, const V3& d) {
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  return {{"p", d},
+          {"-1/2 phi x p", -0.5 * phi.cross(d)},
+          {"the coefficient times phi x (phi x p)", k.D * phi.cross(phi.cross(d))}};
+}
+Terms of_jacobian(const Numbers& x, double sign) {
+  const V3 phi = vector_at(x, 0);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  return {{"1", by_rows(M3::Identity())},
+          {"(1 - cos(theta))/theta^2 [phi]", by_rows(sign * k.B * hat(phi))},
+          {"(theta - sin(theta))/theta^3 [phi]^2", by_rows(k.C * hat(phi) * hat(phi))}};
+}
+Terms of_inverse_jacobian(const Numbers& x, double sign) {
+  const V3 phi = vector_at(x, 0);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  return {{"1", by_rows(M3::Identity())},
+          {"1/2 [phi]", by_rows(-0.5 * sign * hat(phi))},
+          {"the coefficient times [phi]^2", by_rows(k.D * hat(phi) * hat(phi))}};
+}
+/// The upper right block of the Jacobian of exp6; Barfoot 2017, eq. 7.86.
+Terms of_coupling_block(const Numbers& x, double sign) {
+  const V3 phi = sign * vector_at(x, 3);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  const M3 F = hat(phi), P = hat(sign * vector_at(x, 0));
+  return {{"1/2 [rho]", by_rows(0.5 * P)},
+          {"(theta - sin(theta))/theta^3 [phi][rho]", by_rows(k.C * F * P)},
+          {"(theta - sin(theta))/theta^3 [rho][phi]", by_rows(k.C * P * F)},
+          {"(theta - sin(theta))/theta^3 [phi][rho][phi]", by_rows(k.C * F * P * F)},
+          {"the second coefficient times [phi]^2 [rho]", by_rows(k.E * F * F * P)},
+          {"the second coefficient times [rho] [phi]^2", by_rows(k.E * P * F * F)},
+          {"the second coefficient times -3 [phi][rho][phi]", by_rows(-3 * k.E * F * P * F)},
+          {"the third coefficient times [phi][rho][phi]^2", by_rows(k.F * F * P * F * F)},
+          {"the third coefficient times [phi]^2 [rho][phi]", by_rows(k.F * F * F * P * F)}};
+}
+
+/// The terms whose sum some numbers of a result are.
+struct Formula {
+  const char* operation;
+  Eigen::Index from, size;
+  Terms (*terms)(const Numbers& arguments);
+  /// What may stand in place of one of them.
+  Terms (*others)(const Numbers& arguments) = nullptr;
+};
+
+Terms adjoint_terms(const Numbers& x) {
+  const V3 phi = vector_at(x, 10), rho = vector_at(x, 7);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  const M3 R = Eigen::AngleAxisd(k.theta, phi / k.theta).toRotationMatrix();
+  const V3 p = rho + k.B * phi.cross(rho) + k.C * phi.cross(phi.cross(rho));
+  return {{"-R^T [p]", by_rows(-R.transpose() * hat(p))}};
+}
+Terms other_adjoints(const Numbers& x) {
+  const V3 phi = vector_at(x, 10), rho = vector_at(x, 7);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  const M3 R = Eigen::AngleAxisd(k.theta, phi / k.theta).toRotationMatrix();
+  const V3 p = rho + k.B * phi.cross(rho) + k.C * phi.cross(phi.cross(rho));
+  return {{"[p] R^T", by_rows(hat(p) * R.transpose())},
+          {"-[p] R^T", by_rows(-hat(p) * R.transpose())},
+          {"R^T [p]", by_rows(R.transpose() * hat(p))},
+          {"[p] R", by_rows(hat(p) * R)},
+          {"-[p] R", by_rows(-hat(p) * R)},
+          {"R [p]", by_rows(R * hat(p))},
+          {"-R [p]", by_rows(-R * hat(p))},
+          {"-R^T [rho]", by_rows(-R.transpose() * hat(rho))},
+          {"-[rho] R^T", by_rows(-hat(rho) * R.transpose())},
+          {"[rho] R^T", by_rows(hat(rho) * R.transpose())},
+          {"R^T [rho]", by_rows(R.transpose() * hat(rho))}};
+}
+
+const Formula formulas[] = {
+    {"rotate_point", 0, 3,
+     [](const Numbers& x) -> Terms {
+       const V3 v = vector_at(x, 0), p = vector_at(x, 4);
+       return {{"x", p}, {"2 w (v x x)", 2 * x[3] * v.cross(p)}, {"2 v x (v x x)", 2 * v.cross(v.cross(p))}};
+     }},
+    {"exp3_matrix", 0, 9,
+     [](const Numbers& x) -> Terms {
+       const V3 phi = vector_at(x, 0);
+       const Coefficients k(phi);
+       if (!k.known()) return {};
+       return {{"1", by_rows(M3::Identity())},
+               {"sin(theta)/theta [phi]", by_rows(k.A * hat(phi))},
+               {"(1 - cos(theta))/theta^2 [phi]^2", by_rows(k.B * hat(phi) * hat(phi))}};
+     }},
+    {"left_jacobian3", 0, 9, [](const Numbers& x) { return of_jacobian(x, 1); }},
+    {"right_jacobian3", 0, 9, [](const Numbers& x) { return of_jacobian(x, -1); }},
+    {"left_jacobian3_inverse", 0, 9, [](const Numbers& x) { return of_inverse_jacobian(x, 1); }},
+    {"right_jacobian3_inverse", 0, 9, [](const Numbers& x) { return of_inverse_jacobian(x, -1); }},
+    {"exp6", 9, 3, [](const Numbers& x) { return of_V(vector_at(x, 3), vector_at(x, 0)); }},
+    {"log6", 0, 3,
+     [](const Numbers& x) {
+       const Numbers phi = exact("log3_matrix", {x.begin(), x.begin() + 9});
+       return of_V_inverse(vector_at(phi, 0), vector_at(x, 9));
+     }},
+    {"integrate", 0, 3,
+     [](const Numbers& x) {
+       Terms all = of_V(vector_at(x, 10), vector_at(x, 7),
+                        Eigen::Quaterniond(&x.at(3)).normalized().toRotationMatrix());
+       if (!all.empty()) all.push_back({"p0", vector_at(x, 0)});
+       return all;
+     }},
+    {"difference", 0, 3,
+     [](const Numbers& x) {
+       const Numbers pose = relative_pose(x), phi = exact("log3_matrix", {pose.begin(), pose.begin() + 9});
+       return of_V_inverse(vector_at(phi, 0), vector_at(pose, 9));
+     }},
+    {"left_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_block(x, 1); }},
+    {"right_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_block(x, -1); }},
+    {"d_integrate_arg0", 9, 9, adjoint_terms, other_adjoints},
+    {"compose", 9, 3,
+     [](const Numbers& x) -> Terms {
+       return {{"p", vector_at(x, 9)}, {"R p_Y", matrix_at(x, 0) * vector_at(x, 21)}};
+     }},
+    {"act_point", 0, 3,
+     [](const Numbers& x) -> Terms {
+       return {{"p", vector_at(x, 9)}, {"R p_Y", matrix_at(x, 0) * vector_at(x, 12)}};
+     }},
+    {"act_motion", 0, 3,
+     [](const Numbers& x) -> Terms {
+       const M3 R = matrix_at(x, 0);
+       return {{"R u", R * vector_at(x, 12)}, {"p x R omega", vector_at(x, 9).cross(R * vector_at(x, 15))}};
+     }},
+    {"act_inverse_motion", 0, 3,
+     [](const Numbers& x) -> Terms {
+       const M3 R = matrix_at(x, 0).transpose();
+       return {{"R^T u", R * vector_at(x, 12)},
+               {"-R^T (p x omega)", -R * vector_at(x, 9).cross(vector_at(x, 15))}};
+     }},
+    {"act_force", 3, 3,
+     [](const Numbers& x) -> Terms {
+       const M3 R = matrix_at(x, 0);
+       return {{"R n", R * vector_at(x, 15)}, {"p x R f", vector_at(x, 9).cross(R * vector_at(x, 12))}};
+     }},
+    {"act_inverse_force", 3, 3,
+     [](const Numbers& x) -> Terms {
+       const M3 R = matrix_at(x, 0).transpose();
+       return {{"R^T n", R * vector_at(x, 15)},
+               {"-R^T (p x f)", -R * vector_at(x, 9).cross(vector_at(x, 12))}};
+     }},
+    {"cross_motion", 0, 3,
+     [](const Numbers& x) -> Terms {
+       return {{"omega x u_W", vector_at(x, 3).cross(vector_at(x, 6))},
+               {"u x omega_W", vector_at(x, 0).cross(vector_at(x, 9))}};
+     }},
+    {"cross_force", 3, 3,
+     [](const Numbers& x) -> Terms {
+       return {{"omega x n", vector_at(x, 3).cross(vector_at(x, 9))},
+               {"u x f", vector_at(x, 0).cross(vector_at(x, 6))}};
+     }},
+    {"momentum", 0, 3,
+     [](const Numbers& x) -> Terms {
+       return {{"m u", x[0] * vector_at(x, 13)},
+               {"m omega x c", x[0] * vector_at(x, 16).cross(vector_at(x, 1))}};
+     }},
+    {"momentum", 3, 3,
+     [](const Numbers& x) -> Terms {
+       const V3 c = vector_at(x, 1), w = vector_at(x, 16);
+       return {{"I_C omega", matrix_at(x, 4) * w},
+               {"m c x u", x[0] * c.cross(vector_at(x, 13))},
+               {"m c x (omega x c)", x[0] * c.cross(w.cross(c))}};
+     }},
+    {"kinetic_energy", 0, 1, [](const Numbers& x) -> Terms {
+       const V3 c = vector_at(x, 1), u = vector_at(x, 13), w = vector_at(x, 16);
+       return {{"1/2 m |u|^2", number(x[0] * u.squaredNorm() / 2)},
+               {"m u . (omega x c)", number(x[0] * u.dot(w.cross(c)))},
+               {"1/2 m |omega x c|^2", number(x[0] * w.cross(c).squaredNorm() / 2)},
+               {"1/2 omega . I_C omega", number(w.dot(matrix_at(x, 4) * w) / 2)}};
+     }}};
+
+/// The errors of wrong results, and the terms there.
+struct WrongSums {
+  std::vector<Values> errors;
+  std::vector<Terms> terms, others;
+};
+WrongSums wrong_sums(const Formula& f, const std::vector<JudgedCall>& calls) {
+  WrongSums all;
+  for (const JudgedCall& c : calls) {
+    const auto part = [&](const Numbers& x) {
+      return Values(Eigen::Map<const Values>(x.data(), std::ssize(x)).segment(f.from, f.size));
+    };
+    if (std::ssize(c.right) < f.from + f.size || c.call.result.size() != c.right.size()) continue;
+    const Values right = part(c.right), error = part(c.call.result) - right;
+    // What cancels in the sum, or is tiny beside other terms, tells nothing.
+    if (!error.allFinite() || !(error.norm() > 1e-6 * right.norm())) continue;
+    Terms terms = f.terms(c.call.arguments);
+    double largest = 0;
+    for (const auto& [name, value] : terms) largest = std::max(largest, value.norm());
+    if (terms.empty() || !(error.norm() > 1e-9 * largest) || !(largest < 1e100)) continue;
+    all.errors.push_back(error), all.terms.push_back(std::move(terms));
+    all.others.push_back(f.others ? f.others(c.call.arguments) : Terms());
+  }
+  return all;
+}
+
+/// The factor by which a term must be multiplied to be the error of four of five results, and of four at least, and by which
+/// share these factors differ; 0 if there is none.
+std::pair<double, double> factor_of(const WrongSums& wrong, std::size_t term) {
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < wrong.errors.size(); ++i) {
+    const Values &error = wrong.errors[i], &T = wrong.terms[i][term].second;
+    const double factor = error.dot(T) / T.squaredNorm();
+    if ((error - factor * T).norm() < 0.01 * error.norm()) factors.push_back(factor);
+  }
+  const std::size_t most = (4 * wrong.errors.size() + 4) / 5;
+  if (factors.size() < std::max<std::size_t>(most, 4)) return {};
+  std::ranges::sort(factors);
+  const double middle = factors[factors.size() / 2];
+  std::ranges::sort(factors, {}, [&](double x) { return std::fabs(x - middle); });
+  const double apart = std::fabs(factors[most - 1] / middle - 1);
+  return apart < 0.01 ? std::pair(middle, apart) : std::pair(0.0, 0.0);
+}
+/// Whether another term stands in place of one.
+bool replaced(const WrongSums& wrong, std::size_t term, const std::vector<Terms>& by, std::size_t other) {
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < wrong.errors.size(); ++i) {
+    const Values change = by[i][other].second - wrong.terms[i][term].second;
+    given += (wrong.errors[i] - change).norm() < 0.01 * wrong.errors[i].norm();
+  }
+  return given >= 4 && 5 * given >= 4 * wrong.errors.size();
+}
+
+}  // namespace
+
+std::string wrong_term_of(const Operation& operation, const std::vector<JudgedCall>& calls) try {
+  for (const Formula& f : formulas) {
+    if (operation.name != f.operation) continue;
+    const WrongSums wrong = wrong_sums(f, calls);
+    if (wrong.errors.size() < 4) continue;
+    const Terms& terms = wrong.terms.front();
+    // Of terms that are nearly proportional, that whose factors differ least.
+    std::size_t term = 0;
+    double k = 0, least = 1;
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      if (const auto [factor, apart] = factor_of(wrong, t); factor != 0 && apart < least)
+        term = t, k = factor, least = apart;
+    if (k != 0)
+      return fmt::format("where it fails, the term {} {}", terms[term].first,
+                         std::fabs(k + 1) < 0.01   ? "is left out"
+                         : std::fabs(k + 2) < 0.01 ? "has the opposite sign"
+                         : std::fabs(k - 1) < 0.01 ? "is counted twice"
+                                                   : fmt::format("has {:.3g} times its factor", 1 + k));
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      for (const auto* by : {&wrong.terms, &wrong.others})
+        for (std::size_t o = 0; o < by->front().size(); ++o)
+          if ((by != &wrong.terms || o != t) && replaced(wrong, t, *by, o))
+            return fmt::format("where it fails, {} stands in place of {}", by->front()[o].first,
+                               terms[t].first);
+  }
+  return "";
+} catch (const std::exception&) {  // the oracle does not know these arguments
+  return "";
+}
+
+}  // namespace liecheck::properties
