@@ -54,6 +54,9 @@ Vector6 gyroscopic(const Link& l, const Vector6& V, Step step, const Vector6* he
 
 }  // namespace
 
+Matrix inverse_of(const Matrix& M) {
+  return M.ldlt().solve(Matrix::Identity(M.rows(), M.cols()));
+}
 Matrix6 moved_by(const Vector6& V) {
   const Matrix6 ad = cross_motion(V);
   return Matrix6::Identity() - ad + 0.5 * ad * ad;
@@ -219,7 +222,7 @@ Vector acceleration(const Tree& t, const State& at, const Vector& tau, const Vec
     U[i] = I[i] * l.S;
     D[i] = l.S.transpose() * U[i] + l.armature * Matrix::Identity(l.size, l.size);
     if (step == diagonal_D) D[i] = Matrix(D[i].diagonal().asDiagonal());
-    D[i] = D[i].inverse().eval();
+    D[i] = inverse_of(D[i]);
     u[i] = tau.segment(l.v, l.size) - l.S.transpose() * p[i];
     if (l.parent < 0) continue;
     Matrix6 Ia = I[i];

@@ -119,6 +119,8 @@ struct Tree {
 Matrix3 hat(const Vector3& a);  ///< a x
 /// The matrix of motions from B to A, where (R, p) is the pose of B in A.
 Matrix6 motion_matrix(const Matrix3& R, const Vector3& p);
+/// The inverse of a symmetric matrix.
+Matrix inverse_of(const Matrix& M);
 /// exp(-V x) to the second order: how a matrix of motions to a joint changes where the joint moves by a small V.
 Matrix6 moved_by(const Vector6& V);
 

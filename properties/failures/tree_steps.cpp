@@ -56,7 +56,7 @@ State without_a(const Tree& t, bool at_rest = false) {
   return {t.at.X, at_rest ? t.zero() : t.at.v, t.zero()};
 }
 Vector solved(const Matrix& M, const Vector& b) {
-  return M.ldlt().solve(b);
+  return inverse_of(M) * b;
 }
 /// The right acceleration for the torques a.
 Vector right_acceleration(const Tree& t) {
@@ -83,14 +83,14 @@ void add_damped(Steps& s, bool of_aba) {
   for (int k = 3; k <= 12; ++k)
     s.add(fmt::format("M with 1e-{} on its diagonal", k), [=](const Tree& t, std::size_t) {
       const Matrix damped = mass_matrix(t, right) + std::pow(10, -k) * Matrix::Identity(t.nv(), t.nv());
-      if (!of_aba) return std::optional(numbers_of(Matrix(damped.inverse())));
+      if (!of_aba) return std::optional(numbers_of(inverse_of(damped)));
       return std::optional(
           numbers_of(solved(damped, t.at.a - torque(t, without_a(t), t.gravity, true, right))));
     });
 }
 void add_mass_inverses(Steps& s) {
   s.add(of_mass, [](const Tree& t, const Wrong& step) -> std::optional<Numbers> {
-    return numbers_of(Matrix(mass_matrix(t, step).inverse()));
+    return numbers_of(inverse_of(mass_matrix(t, step)));
   });
   s.add(of_articulated, [](const Tree& t, const Wrong& step) -> std::optional<Numbers> {
     if (t.has_mimics) return {};
@@ -102,7 +102,7 @@ void add_mass_inverses(Steps& s) {
   });
   add_damped(s, false);
   s.add("forward dynamics with gravity", [](const Tree& t, std::size_t) {
-    Matrix inverse = mass_matrix(t, right).inverse();
+    Matrix inverse = inverse_of(mass_matrix(t, right));
     inverse.colwise() -= (inverse * torque(t, without_a(t, true), t.gravity, false, right)).eval();
     return std::optional(numbers_of(inverse));
   });
@@ -112,8 +112,7 @@ void add_accelerations(Steps& s) {
     return numbers_of(solved(mass_matrix(t, right), t.at.a - torque(t, without_a(t), t.gravity, true, step)));
   });
   s.add(of_mass, [](const Tree& t, const Wrong& step) -> std::optional<Numbers> {
-    return numbers_of(
-        Vector(mass_matrix(t, step).inverse() * (t.at.a - torque(t, without_a(t), t.gravity, true, right))));
+    return numbers_of(solved(mass_matrix(t, step), t.at.a - torque(t, without_a(t), t.gravity, true, right)));
   });
   s.add(of_articulated, [](const Tree& t, const Wrong& step) -> std::optional<Numbers> {
     if (t.has_mimics) return {};
