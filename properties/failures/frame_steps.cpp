@@ -53,20 +53,21 @@ void add_velocities(Steps& s, std::string_view block) {
 void add_references(Steps& s, bool velocity, std::string_view block) {
   for (const double factor : {0.0, -1.0})
     for (const std::size_t of_view : {0u, 2u})
-      s.add(fmt::format("a motion that is moved {} by {} in {}",
-                        of_view == 0 ? "from the frame to the world's origin"
-                                     : "from the world's origin to the frame",
-                        factor == 0 ? "0" : "-p", of_view == 0 ? "WORLD" : "LOCAL_WORLD_ALIGNED"),
-            [=](const Tree& t, std::size_t view) -> std::optional<Numbers> {
-              if (view != of_view) return {};
-              const Motions m = motions(t, t.at, Vector3::Zero(), right);
-              const auto i = static_cast<std::size_t>(t.frame_joint);
-              const Vector6 V = in_frame(t, velocity ? m.V[i] : m.A[i]);
-              const Vector6 world = seen(t, V, 0), aligned = seen(t, V, 2);
-              return half(view == 0 ? Vector6(aligned + factor * (world - aligned))
-                                    : Vector6(world + factor * (aligned - world)),
-                          block);
-            });
+      s.add(
+          fmt::format(
+              "a motion that is {} {} in {}", factor == 0 ? "not moved" : "moved by -p in place of p",
+              of_view == 0 ? "from the frame to the world's origin" : "from the world's origin to the frame",
+              of_view == 0 ? "WORLD" : "LOCAL_WORLD_ALIGNED"),
+          [=](const Tree& t, std::size_t view) -> std::optional<Numbers> {
+            if (view != of_view) return {};
+            const Motions m = motions(t, t.at, Vector3::Zero(), right);
+            const auto i = static_cast<std::size_t>(t.frame_joint);
+            const Vector6 V = in_frame(t, velocity ? m.V[i] : m.A[i]);
+            const Vector6 world = seen(t, V, 0), aligned = seen(t, V, 2);
+            return half(view == 0 ? Vector6(aligned + factor * (world - aligned))
+                                  : Vector6(world + factor * (aligned - world)),
+                        block);
+          });
 }
 /// Wrong steps from the joint to the frame at p in its axes.
 void add_offsets(Steps& s, bool velocity, bool classical, std::string_view block) {
@@ -82,7 +83,7 @@ void add_offsets(Steps& s, bool velocity, bool classical, std::string_view block
   using Found = std::optional<Vector6>;
   const auto centripetal = [](const Vector6& V, const Vector3& u) { return V.tail<3>().cross(u).eval(); };
   if (!velocity)
-    s.add("accelerations of the world by -g", [=](const Tree& t, std::size_t view) {
+    s.add("a recursion whose world accelerates by -g", [=](const Tree& t, std::size_t view) {
       const Motions m = motions(t, t.at, t.gravity, right);
       const auto i = static_cast<std::size_t>(t.frame_joint);
       const Vector6 V = seen(t, in_frame(t, m.V[i]), view);

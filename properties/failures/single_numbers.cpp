@@ -286,6 +286,7 @@ std::string constant_of(const Operation& operation, const std::vector<JudgedCall
         of_got = std::hypot(of_got, c.call.result[i]), of_right = std::hypot(of_right, c.right[i]);
         apart = std::hypot(apart, c.call.result[i] - c.right[i]);
       }
+      // Rounding leaves less than 1e-12; a constant with two digits or more is off by less than a hundredth.
       if (!(apart > 1e-12 * std::max(of_right, 1.0)) || !(apart < 0.01)) continue;
       // Another direction is no other angle.
       if (std::fabs(of_got - of_right) < 0.99 * apart) return "";
@@ -332,7 +333,7 @@ std::string approximation_of(const Operation& operation, const std::vector<Judge
   if (errors.size() < enough || operation.results.size() != 1) return "";
   std::ranges::sort(errors);
   const double most = errors[errors.size() * 9 / 10];
-  if (!(most < 0.01)) return "";
+  if (!(most < 0.01)) return "";  // a wrong term or sign leaves less than two digits
   return fmt::format(
       "an approximation: most results are right to {} digits, as those of a series or an iteration that ends "
       "too early, a numerical derivative, or a constant with few digits",

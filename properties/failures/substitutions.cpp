@@ -349,7 +349,7 @@ std::string change_of_all(const Wrong& wrong) {
   return "";
 }
 
-/// The calls without large arguments, with which sums of products overflow.
+/// The calls without arguments so large that results underflow, overflow or lose all digits.
 std::vector<JudgedCall> of_ordinary_arguments(std::vector<JudgedCall> calls) {
   std::erase_if(calls, [](const JudgedCall& c) {
     return std::ranges::any_of(c.call.arguments, [](double x) { return !(std::fabs(x) < 1e15); });

@@ -112,7 +112,7 @@ void add_rates(Changes& c) {
   c.of_joints("-a", "", TreeSlot::a, 6, opposite, any);
   for (int k = 1; k <= 8; ++k)
     c.of_tree(
-        fmt::format("velocities below {} that are 0", std::pow(10.0, -k)),
+        fmt::format("velocities below {} taken as 0", std::pow(10.0, -k)),
         [least = std::pow(10.0, -k)](const TreeNumbers& t) {
           for (int i = 0; i < t.joints(); ++i)
             for (double& v : t.of_joint(i, TreeSlot::v, 6)) v = std::fabs(v) < least ? 0 : v;

@@ -28,7 +28,7 @@ constexpr Named of_mass[]{
     {turned_columns, "columns of M whose forces are passed to the parent without p x f"},
     {only_blocks, "M without what couples joints"},
     {only_parents, "M that couples each joint with its parent alone"},
-    {once_of_mimic, "M where what couples a mimic and its primary is added once"},
+    {once_of_mimic, "M to which the coupling of a mimic with its primary is added once, not twice,"},
     {armature_of_joint,
      "armatures on the diagonal of M at the numbers of the joints, not of their velocities,"},
     {first_armature, "the armature at the first velocity of a joint alone"}};
@@ -47,9 +47,9 @@ constexpr Named of_derivatives[]{{held_V_of_momentum, "a derivative without dV x
                                  {held_momentum, "a derivative without V x* (I dV)"},
                                  {held_V_of_coriolis, "a derivative without dV x (S v)"},
                                  {held_joint_velocity, "a derivative without V x (S dv)"},
-                                 {held_velocities, "a derivative without that of the velocities"},
-                                 {held_motions, "a derivative without that of the accelerations' transforms"},
-                                 {held_forces, "a derivative without that of the forces' transforms"}};
+                                 {held_velocities, "a derivative that holds the velocities"},
+                                 {held_motions, "a derivative that holds the transforms of accelerations"},
+                                 {held_forces, "a derivative that holds the transforms of forces"}};
 
 /// The tree's state at a = 0, or at rest.
 State without_a(const Tree& t, bool at_rest = false) {

@@ -364,7 +364,7 @@ class ConditionSearch {
     std::vector<FeatureRange> moved = f.parts;
     (low ? moved[k].low : moved[k].high) = to;
     const Counts c = count(moved);
-    // Where some inputs pass on either side, a failing one beyond the border tells more than counts.
+    // Where some inputs pass on either side, a failing one a little beyond tells more than counts.
     const std::uint64_t n = f.counts.cases, outside = f.counts.failed_elsewhere + c.failed_elsewhere;
     const bool necessary = outside == 0 && c.cases >= n && 10 * c.cases < 13 * n;
     if (necessary || c.errors() <= f.counts.errors()) f.parts = moved, f.counts = c;

@@ -113,20 +113,20 @@ TEST(Terms, OfExponentialsAndJacobians) {
                  [](const auto& x, auto& y) { add(y, 0, M3(0.5 * skew(three(x, 0)))); }),
             "where it fails, the term 1/2 [phi] is left out");
   const auto coefficient = [](double t) { return (t * t + 2 * std::cos(t) - 2) / (2 * std::pow(t, 4)); };
-  EXPECT_EQ(
-      told(op::left_jacobian6, 6,
-           [&](const auto& x, auto& y) {
-             const M3 F = skew(three(x, 3)), P = skew(three(x, 0));
-             add(y, 9, M3(2 * coefficient(three(x, 3).norm()) * F * P * F));
-           }),
-      "where it fails, the term the second coefficient times -3 [phi][rho][phi] has 0.333 times its factor");
+  EXPECT_EQ(told(op::left_jacobian6, 6,
+                 [&](const auto& x, auto& y) {
+                   const M3 F = skew(three(x, 3)), P = skew(three(x, 0));
+                   add(y, 9, M3(2 * coefficient(three(x, 3).norm()) * F * P * F));
+                 }),
+            "where it fails, the term -3 (theta^2 + 2 cos(theta) - 2)/(2 theta^4) [phi][rho][phi] has 0.333 "
+            "times its factor");
   EXPECT_EQ(told(op::right_jacobian6, 6,
                  [&](const auto& x, auto& y) {
                    const M3 F = skew(-three(x, 3)), P = skew(-three(x, 0));
                    add(y, 9, M3(coefficient(three(x, 3).norm()) * (F * F * P - P * F * F)));
                  }),
-            "where it fails, the second coefficient times [phi]^2 [rho] stands in place of the second "
-            "coefficient times [rho] [phi]^2");
+            "where it fails, (theta^2 + 2 cos(theta) - 2)/(2 theta^4) [phi]^2 [rho] stands in place of "
+            "(theta^2 + 2 cos(theta) - 2)/(2 theta^4) [rho] [phi]^2");
   EXPECT_EQ(told(op::d_integrate_arg0, 13,
                  [](const auto& x, auto& y) {
                    const std::vector<double> X = exact("exp6", {x.begin() + 7, x.end()});

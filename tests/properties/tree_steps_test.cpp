@@ -104,7 +104,7 @@ TEST(TreeSteps, NameTheStep) {
            h.template tail<3>() += c.cross(Vec<double, 3>(h.template head<3>()));
          });
        }},
-      {"lagrange", "velocities below 0.1 that are 0",
+      {"lagrange", "velocities below 0.1 taken as 0",
        [=](auto& o, const Tree<double>&) {
          o[op::tree_nonlinear_effects] = [right = o[op::tree_nonlinear_effects], without_v](
                                              const VecX<double>& q, const VecX<double>& v) {
