@@ -1,4 +1,4 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 namespace {

@@ -1,9 +1,9 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 namespace {
 
-const Registered<float> in_float(Correct<float, Quaternions<double>>::make("wide",
+const Registered<float> in_float(CorrectSubject<float, Quaternions<double>>::make("wide",
                                                                            "quaternions in more digits"));
 
 }  // namespace

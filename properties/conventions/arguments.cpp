@@ -56,6 +56,23 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
       const Eigen::Matrix3d I_C = 4 * Eigen::Matrix3d::Identity() - r * r.transpose() / 2;
       return joined(std::array{2 + g.number() / 2}, c, I_C);
     }
+    case Kind::angle:
+      return {angle};
+    case Kind::parameters:
+      return joined(g.of_length(std::tan(angle / 4)));
+    case Kind::weights:
+      return {1 + g.number() / 2, 1 + g.number() / 2, 1 + g.number() / 2};
+    case Kind::covariance: {
+      Eigen::Matrix<double, 6, 6> L = Eigen::Matrix<double, 6, 6>::Identity();
+      for (int i = 1; i < 6; ++i) L(i, i - 1) = g.number(), L(i, 0) = g.number() / 2;
+      return joined(Eigen::Matrix<double, 6, 6>(L * L.transpose()));
+    }
+    case Kind::extended_pose:
+      return joined(by_rows(g.rotation(angle).matrix()), g.vector(), g.vector());
+    case Kind::extended_tangent:
+      return joined(g.vector(), g.vector(), g.of_length(angle));
+    case Kind::samples:
+      return joined(g.vector(), g.vector(), g.vector());
     case Kind::vector:
       return joined(g.vector());
     case Kind::direction:

@@ -90,7 +90,7 @@ Places places(const std::string& text) {
 const Places
     quaternion_arguments = places(
         "log3_quaternion 0 log3_any_norm 0 rotate_point 0 rotate_point_any_norm 0 "
-        "quaternion_matrix 0 integrate 3 integrate_any_norm 3 difference 3 10 "
+        "matrix_from_quaternion_any_norm 0 integrate 3 integrate_any_norm 3 difference 3 10 "
         "difference_any_norm 3 10 d_difference_arg0 3 10 d_difference_arg1 3 10 "
         "d_difference_any_norm 3 10 relative_angle 0 4 twist_angle 0 slerp 0 4 "
         "euler_from_quaternion 1 velocity_to_rate 3 rate_to_velocity 3 10"),
@@ -164,7 +164,7 @@ void columns(Library& l) {
   change_arguments(l, pose_arguments, transpose<3>);
   change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
   change_results(l, pose_results, transpose<3>), change_results(l, jacobians3, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"matrix_from_quaternion_any_norm", 0}, {"euler_to_matrix", 0}}, transpose<3>);
   change_results(l, jacobians6, transpose<6>);
 }
 void passive_poses(Library& l) {
@@ -219,7 +219,7 @@ void inertia_about_the_origin(Library& l) {
 }
 void passive_rotation_matrices(Library& l) {
   change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"matrix_from_quaternion_any_norm", 0}, {"euler_to_matrix", 0}}, transpose<3>);
 }
 void opposite_tangents(Library& l) {
   change_arguments(l, tangent_arguments, negate6), change_results(l, tangent_results, negate6);
