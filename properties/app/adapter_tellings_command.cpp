@@ -56,7 +56,7 @@ int tell(const AdapterTellingsFlags& f) {
 Command adapter_tellings_command(CLI::App& adapter) {
   CommandWith<AdapterTellingsFlags> a(
       adapter, "tellings",
-      "tell a robot in six equivalent ways, and compare what a URDF reader makes of each "
+      "tell a robot in up to twelve equivalent ways, and compare what a URDF reader makes of each "
       "with its exact motion. "
       "Exit code 0; 1 if a telling differs; 2 for bad input");
   a.text("--adapter", a->adapter, "ADAPTER", "the reader, as a campaign takes it; default: liecheck's own");

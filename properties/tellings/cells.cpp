@@ -118,6 +118,14 @@ json record_of(const CellKey& key, const Cell& c) {
           {"bands", bands}};
 }
 
+/// Whether an operation's torques or accelerations depend on the damping and friction of joints.
+bool has_friction(std::string_view operation) {
+  for (const char* part :
+       {"rnea", "nonlinear", "aba", "derivative", "power", "impulse", "momentum_conserved"})
+    if (operation.find(part) != operation.npos) return true;
+  return false;
+}
+
 }  // namespace
 
 CampaignOptions options_of(const std::string& subject, const MeasureOptions& options) {
@@ -169,8 +177,9 @@ std::vector<Told> measure_tellings(const std::string& subject, const Robot& robo
     // A path makes it a robot of the user's, on which the laws of trees are judged.
     const CampaignResult r = run_campaign(o, robot_of(t.urdf, t.name + ".urdf", robot.fixed));
     const CellKey key{"told_" + t.name, "double"};
-    const auto cells =
-        cells_of(r, [&](const std::string&, const std::string&) { return std::optional(key); });
+    const auto cells = cells_of(r, [&](const std::string& operation, const std::string&) {
+      return t.dissipates && has_friction(operation) ? std::nullopt : std::optional(key);
+    });
     if (!cells.empty()) all.push_back({t, cells.front()});
   }
   return all;

@@ -22,11 +22,14 @@ struct Inertial {
 struct Link {
   std::string name;
   std::optional<Inertial> inertial;
+  std::string shape = {};  ///< XML of <visual> and <collision>
 };
 struct Joint {
   std::string name, type, parent, child;
   Isometry3d at;
   Vector3d axis = Vector3d::Zero();
+  std::string more = {};  ///< XML beside <axis>
+  double reach = 1e6;     ///< of <limit>, on both sides
 };
 struct Text {
   std::string name;
@@ -52,18 +55,16 @@ std::string origin(const Isometry3d& X) {
 std::string written(const Text& t) {
   std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_escaped(t.name));
   for (const Link& l : t.links) {
-    if (!l.inertial) {
-      text += fmt::format("  <link name=\"{}\"/>\n", xml_escaped(l.name));
-      continue;
+    text += fmt::format("  <link name=\"{}\">\n", xml_escaped(l.name));
+    if (l.inertial) {
+      const Inertial& i = *l.inertial;
+      text += fmt::format(
+          "    <inertial>\n      {}\n      <mass value=\"{:.17g}\"/>\n      <inertia ixx=\"{:.17g}\" "
+          "ixy=\"{:.17g}\" ixz=\"{:.17g}\" iyy=\"{:.17g}\" iyz=\"{:.17g}\" izz=\"{:.17g}\"/>\n    "
+          "</inertial>\n",
+          origin(i.at), i.mass, i.I(0, 0), i.I(0, 1), i.I(0, 2), i.I(1, 1), i.I(1, 2), i.I(2, 2));
     }
-    const Inertial& i = *l.inertial;
-    text += fmt::format(
-        "  <link name=\"{}\">\n    <inertial>\n      {}\n      <mass value=\"{:.17g}\"/>\n      <inertia "
-        "ixx=\"{:.17g}\" "
-        "ixy=\"{:.17g}\" ixz=\"{:.17g}\" iyy=\"{:.17g}\" iyz=\"{:.17g}\" izz=\"{:.17g}\"/>\n    "
-        "</inertial>\n  "
-        "</link>\n",
-        xml_escaped(l.name), origin(i.at), i.mass, i.I(0, 0), i.I(0, 1), i.I(0, 2), i.I(1, 1), i.I(1, 2), i.I(2, 2));
+    text += l.shape + "  </link>\n";
   }
   for (const Joint& j : t.joints) {
     text += fmt::format(
@@ -72,8 +73,9 @@ std::string written(const Text& t) {
     if (j.type != "fixed" && j.type != "floating")
       text += fmt::format("    <axis xyz=\"{}\"/>\n", three(j.axis));
     if (j.type == "revolute" || j.type == "prismatic")
-      text += "    <limit lower=\"-1e6\" upper=\"1e6\" effort=\"1e6\" velocity=\"1e6\"/>\n";
-    text += "  </joint>\n";
+      text += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n", -j.reach,
+                          j.reach, j.reach, j.reach);
+    text += j.more + "  </joint>\n";
   }
   return text + "</robot>\n";
 }
@@ -169,6 +171,63 @@ Text offset_frames(Text t) {
   }
   return t;
 }
+/// A link without inertial at each body, which has no mass. Its shape must not give it one.
+Text empty_links(Text t) {
+  const std::size_t n = t.links.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string name = t.links[i].name + "_frame";
+    t.joints.push_back({name + "_joint", "fixed", t.links[i].name, name, somewhere()});
+    t.links.push_back(
+        {name, {}, "    <collision><geometry><box size=\"0.3 0.2 0.1\"/></geometry></collision>\n"});
+  }
+  return t;
+}
+/// Each body on a link that is fixed to its own through another one.
+Text fixed_twice(Text t) {
+  const Isometry3d X = somewhere();
+  const std::size_t n = t.links.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!t.links[i].inertial) continue;
+    const std::string between = t.links[i].name + "_between", part = t.links[i].name + "_part";
+    t.joints.push_back({between + "_joint", "fixed", t.links[i].name, between, X});
+    t.joints.push_back({part + "_joint", "fixed", between, part, X});
+    t.links.push_back({between, {}});
+    t.links.push_back({part, moved((X * X).inverse(), *t.links[i].inertial)});
+    t.links[i].inertial.reset();
+  }
+  return t;
+}
+/// A mesh in millimetres: its scale is of the shape alone.
+Text scaled_meshes(Text t) {
+  for (Link& l : t.links)
+    l.shape =
+        "    <visual><origin xyz=\"0.2 0 0.1\" rpy=\"0.3 0 0\"/><geometry>"
+        "<mesh filename=\"package://robot/part.stl\" scale=\"0.001 0.001 0.001\"/></geometry></visual>\n";
+  return t;
+}
+/// Limits that most configurations and velocities exceed: they belong to controllers and to contacts at the stops.
+Text narrow_limits(Text t) {
+  for (Joint& j : t.joints) {
+    j.reach = 0.125;
+    if (j.type == "revolute" || j.type == "prismatic")
+      j.more =
+          "    <safety_controller soft_lower_limit=\"-0.0625\" soft_upper_limit=\"0.0625\" k_position=\"8\" "
+          "k_velocity=\"2\"/>\n";
+  }
+  return t;
+}
+Text damped(Text t) {
+  for (Joint& j : t.joints)
+    if (j.type != "fixed" && j.type != "floating")
+      j.more = "    <dynamics damping=\"0.7\" friction=\"0.3\"/>\n";
+  return t;
+}
+/// The second joint of one coordinate follows the first: a constraint, so that both keep their coordinates.
+Text mimicking(Text t, const std::vector<std::string>& single) {
+  std::ranges::find(t.joints, single[1], &Joint::name)->more =
+      fmt::format("    <mimic joint=\"{}\" multiplier=\"-2\" offset=\"0.1\"/>\n", xml_escaped(single[0]));
+  return t;
+}
 Text mirrored_axes(Text t) {
   for (Joint& j : t.joints) j.axis = -j.axis;
   return t;
@@ -204,7 +263,21 @@ std::vector<Telling> tellings(const Robot& robot) {
       {"offset_frames", "a massless link before each joint", written(offset_frames(own))},
       {"split_bodies", "half of each body on a link that is fixed to its own",
        written(with_parts(own, false))},
-      {"mirrored_axes", "each axis reversed", written(mirrored_axes(own)), single}};
+      {"mirrored_axes", "each axis reversed", written(mirrored_axes(own)), single},
+      {"empty_links", "a link without inertial, but with a shape, at each body", written(empty_links(own))},
+      {"fixed_twice", "each body on a link that is fixed to its own through another",
+       written(fixed_twice(own))},
+      {"scaled_meshes", "a mesh in millimetres on each link", written(scaled_meshes(own))},
+      {"narrow_limits", "limits that the motion exceeds", written(narrow_limits(own))}};
+  all.push_back({"damped",
+                 "damping and friction, judged by motions, momenta and energies",
+                 written(damped(own)),
+                 {},
+                 {},
+                 true});
+  if (single.size() > 1)
+    all.push_back({"mimicking", "a joint that mimics another, with a coordinate of its own",
+                   written(mimicking(own, single))});
   if (!turned.empty())
     all.push_back(
         {"re_rooted", "a child of the base as the base", written(re_rooted(own, turned)), {}, turned});

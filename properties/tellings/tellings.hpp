@@ -15,9 +15,11 @@ struct Telling {
   std::vector<std::string> reversed = {};
   /// If the tree has another root: the joint that the old and the new base share, whose direction is turned around.
   std::string turned = {};
+  /// Whether the joints have damping or friction, which a reader may or may not add to their torques.
+  bool dissipates = false;
 };
 
-/// The robot written anew, and then told in six equivalent ways. The names of its joints stay, and so do the frames of
+/// The robot written anew, and then told in equivalent ways. The names of its joints stay, and so do the frames of
 /// the links behind them, but for the last:
 ///
 /// - plain: each link with its inertia in the link's axes
@@ -27,6 +29,12 @@ struct Telling {
 /// - split_bodies: half of each body is a link of its own, fixed to the other half at a distance and rotated; the next joints
 ///   hang on it
 /// - mirrored_axes: each axis and the sign of its coordinate are reversed
+/// - empty_links: a link without inertial, but with a shape, is fixed to each body
+/// - fixed_twice: each body is on a link that is fixed to its own through another
+/// - scaled_meshes: each link has a mesh in millimetres, whose scale is of the shape alone
+/// - narrow_limits: most configurations and velocities exceed the limits, also the soft ones
+/// - damped: joints have damping and friction; joint torques and accelerations are not judged
+/// - mimicking: one joint mimics another; both have coordinates, as Pinocchio's default is
 /// - re_rooted: a child of the base is the base; only if the root floats and has a joint of one degree of freedom
 ///
 /// All numbers are rounded to the nearest double. The robot must have been read without an error. Throws

@@ -64,20 +64,19 @@ struct ColumnForces {
 };
 
 /// Computes s, w, y, z of every column, and MovingInertia and force of every body, about the origin O of the
-/// first joint. work.r[i], so far the vector from joint p, becomes the vector from O. It is summed along the
-/// tree, so that no digits are lost far from the world's origin.
+/// joint at the root of its branch. work.r[i], so far the vector from joint p, becomes the vector from O. It is summed along
+/// the tree, so that no digits are lost far from the world's origin or from another root.
 template <Scalar S>
 void ratesOfColumns(const Model<S>& model, Data<S>& data, const VectorX<S>& v, const VectorX<S>& a,
-                    const External<S>& fext) {
+                    const External<S>& fext, const Vector3<S>& gravity) {
   auto& work = data.work;
   const auto& oMi = data.oMi();
   auto &V = work.bias, &A = work.gravitated;
   V[0] = Motion<S>::Zero();
-  A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
+  A[0] = Motion<S>(Vector3<S>(-gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    work.r[i] =
-        p == 0 ? Vector3<S>(oMi[i].translation() - oMi[1].translation()) : added(work.r[p], work.r[i]);
+    work.r[i] = p == 0 ? Vector3<S>(Vector3<S>::Zero()) : added(work.r[p], work.r[i]);
     const Vector3<S>& r = work.r[i];
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();
     const int begin = model.idx_columns[i], end = begin + model.column_counts[i];
@@ -111,7 +110,7 @@ void ratesOfColumns(const Model<S>& model, Data<S>& data, const VectorX<S>& v, c
 template <Scalar S>
 void inverseDynamicsDerivatives(const Model<S>& model, Data<S>& data, const VectorX<S>& v,
                                 const VectorX<S>& a, const External<S>& fext, MatrixX<S>* M) {
-  ratesOfColumns(model, data, v, a, fext);
+  ratesOfColumns(model, data, v, a, fext, model.gravity);
   auto& work = data.work;
   MatrixX<S>& dq = data.dtau_dq.write(Level::Acceleration);
   MatrixX<S>& dv = data.dtau_dv.write(Level::Velocity);
@@ -213,6 +212,15 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   columnsInWorldAxes(model, data, q);
   data.begin(model, q, v, a);
   inverseDynamicsDerivatives<S>(model, data, v, a, fext, &data.M.write(Level::Position));
+}
+
+/// dtau/dq [nv x nv] of computeStaticTorque. Every fext moves with its body. Updates liMi, oMi, M, dtau_dq, dtau_dv.
+template <Scalar S>
+const MatrixX<S>& computeStaticTorqueDerivatives(const Model<S>& model, Data<S>& data, In<S> q,
+                                                 External<S> fext = {}) {
+  const VectorX<S> still = VectorX<S>::Zero(model.nv);
+  computeRNEADerivatives<S>(model, data, q, still, still, fext);
+  return data.dtau_dq();
 }
 
 /// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext). The first two are -M^-1 times

@@ -34,6 +34,15 @@ enum class Dense {
   Derivatives  ///< the matrices of Mass, and dtau_dq, dtau_dv, ddq_dq, ddq_dv
 };
 
+/// The columns of motion subspaces with their rates, and the motions of the bodies, in world axes about the origin of the
+/// root of each branch (algorithms/derivatives.hpp). Without gravity.
+template <class S>
+struct MotionRates {
+  Eigen::Matrix<S, 24, Eigen::Dynamic> columns;
+  std::vector<Motion<S>> velocity, acceleration;
+  std::vector<Vector3<S>> from_root;  ///< [m] of the joints' origins, from the root of the branch
+};
+
 template <Scalar S>
 class Data {
   Clock clock_;
@@ -73,6 +82,11 @@ class Data {
   /// [nv x nv] joint-space inertia and its inverse, both triangles.
   Field<MatrixX<S>> M{clock_, "M", "crba(model, data, q)", Constants::Armature};
   Field<MatrixX<S>> Minv{clock_, "Minv", "computeMinverse(model, data, q)", Constants::Armature};
+  /// [nv x nv]: C v = h - g.
+  Field<MatrixX<S>> C{clock_, "C", "computeCoriolisMatrix(model, data, q, v)"};
+  /// For the derivatives of frames' motions (algorithms/kinematics_derivatives.hpp).
+  Field<MotionRates<S>> motion_rates{clock_, "motion_rates",
+                                     "computeForwardKinematicsDerivatives(model, data, q, v, a)"};
   /// [nv x nv] derivatives with respect to tangent increments of q (_dq) and to v (_dv).
   Field<MatrixX<S>> dtau_dq{clock_, "dtau_dq", rnea_derivatives, Constants::Gravity},
       dtau_dv{clock_, "dtau_dv", rnea_derivatives},
@@ -204,7 +218,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   Minv.scratch().resize(model.nv, model.nv);
   allocateFactors(model);
   if (dense == Dense::Mass) return;
-  for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv})
+  for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv, &C})
     m->scratch().setZero(model.nv, model.nv);  // entries between branches of dtau are never written
   work.inverse = work.square;
   work.moving.resize(n), work.rates.resize(24, model.ncolumns);

@@ -271,6 +271,12 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
       q, delta);
 }
 
+/// T0 exp(t log(T0^-1 T1)) [7; m]: the pose at t in [0, 1] of the screw motion from q0 to q1, computed from the nearer end.
+/// If the relative angle is pi, either arc. Error 8 eps of the rotation, 12 eps max(|p|, |p0|, |p1|).
+/// Throws std::invalid_argument if Q0 or Q1 is 0.
+template <Scalar S>
+Vector7<S> interpolateSE3(const Vector7<S>& q0, const Vector7<S>& q1, const S& t);
+
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
 /// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|).
 /// Throws std::invalid_argument if Q0 or Q1 is 0.
@@ -285,6 +291,12 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
         return se3_configuration_detail::difference<T, Q>(a, b);
       },
       q0, q1);
+}
+
+template <Scalar S>
+Vector7<S> interpolateSE3(const Vector7<S>& q0, const Vector7<S>& q1, const S& t) {
+  if (S(1) / S(2) < t) return interpolateSE3<S>(q1, q0, S(S(1) - t));
+  return integrateSE3<S>(q0, Vector6<S>(t * differenceSE3<S>(q0, q1)));
 }
 
 /// log(T0^-1 T1) of the rotations nearest to the stored matrices, (rho, phi) [m, rad], |phi| <= pi, in the

@@ -94,4 +94,33 @@ SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
   return SO3<S>(Vector3<S>((length<S, 3>(minus) / S(2)) * n), S(length<S, 3>(plus) / S(2))).normalized();
 }
 
+/// The angle [rad] between two directions a and b [3], not zero, in [0, pi]: atan2(|a x b|, a . b). a x b is a x (b - a), or
+/// a x (a + b) beyond a right angle, whose terms do not cancel if a and b are close or nearly opposite. Error 4 eps of the
+/// larger of theta and |t|, where t_i is the sum of the sizes of the terms of (a x b)_i, of unit vectors.
+/// Source: Kahan 2006, How futile are mindless assessments of roundoff, section 12.
+template <Scalar S>
+S angleBetween(const Vector3<S>& a, const Vector3<S>& b) {
+  using std::atan2;
+  const S cosine = dot<S>(a, b);
+  const Vector3<S> c = cross<S>(a, S(0) < cosine ? Vector3<S>(b - a) : Vector3<S>(a + b));
+  return atan2(relative_rotation_detail::length<S, 3>(c), cosine);
+}
+
+/// The unit vector at t in [0, 1] of the shorter arc from direction a (t = 0) to direction b (t = 1), from the nearer end:
+/// cos(t theta) a + sin(t theta) n, n the part of b across a. For opposite directions any arc. Error 6 eps, and near opposite
+/// directions eps/(pi - theta). Throws std::invalid_argument if a or b is zero. Source: Shoemake 1985, section 3.3.
+template <Scalar S>
+Vector3<S> slerp(const Vector3<S>& a, const Vector3<S>& b, const S& t) {
+  using std::cos, std::sin;
+  using namespace relative_rotation_detail;
+  if (S(1) / S(2) < t) return slerp<S>(b, a, S(S(1) - t));
+  const Vector3<S> from = normalizedUnit<S, 3>(a), to = normalizedUnit<S, 3>(b);
+  const bool acute = S(0) < dot<S>(from, to);
+  const Vector3<S> difference = acute ? Vector3<S>(to - from) : Vector3<S>(to + from),
+                   across =
+                       perpendicularPart<S>(Vector3<S>(difference - dot<S>(from, difference) * from), from);
+  const S at = t * angleBetween<S>(from, to);
+  return normalizedUnit<S, 3>(Vector3<S>(S(cos(at)) * from + S(sin(at)) * across));
+}
+
 }  // namespace liecheck

@@ -1,0 +1,65 @@
+#pragma once
+// The operational-space inertia of a frame: Lambda = (J M^-1 J^T)^-1 [6 x 6], the inertia that a wrench on the frame feels.
+// Source: Khatib 1987, eq. 37.
+
+#include <liecheck/algorithms/crba.hpp>
+#include <liecheck/algorithms/jacobians.hpp>
+
+namespace liecheck {
+
+/// Lambda [6 x 6; kg, kg m, kg m^2] of a frame in the reference. Throws SingularInertia if M is not positive definite, and
+/// std::domain_error if J has not full rank, as for fewer than six coordinates: then a wrench can act without a motion.
+/// Updates liMi, oMi, J, M. q [nq].
+template <Scalar S>
+Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, In<S> q, int frame,
+                                          ReferenceFrame reference) {
+  using namespace algorithms_detail;
+  computeJointJacobians(model, data, q);
+  const Matrix6X<S> J = getFrameJacobian(model, data, frame, reference);
+  crba(model, data, q);
+  factorize(model, data);
+  Matrix6<S> K;
+  VectorX<S> x(model.nv);
+  for (int i = 0; i < 6; ++i) {
+    x = J.row(i).transpose();
+    solve(model, data, x);
+    K.col(i) = J * x;
+  }
+  // Scaled to a unit diagonal: forces and moments have other units.
+  Vector6<S> scale;
+  using std::sqrt;
+  for (int i = 0; i < 6; ++i) {
+    if (!(S(0) < K(i, i))) throw std::domain_error("the frame's Jacobian has not full rank");
+    scale[i] = S(1) / S(sqrt(K(i, i)));
+  }
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) K(i, j) *= scale[i] * scale[j];
+  Matrix6<S> L = Matrix6<S>::Zero();  // K = L L^T
+  for (int j = 0; j < 6; ++j)
+    for (int i = j; i < 6; ++i) {
+      S sum = K(i, j);
+      for (int k = 0; k < j; ++k) sum -= L(i, k) * L(j, k);
+      if (i == j) {
+        if (!(S(64) * eps<S>() < sum)) throw std::domain_error("the frame's Jacobian has not full rank");
+        L(i, i) = S(sqrt(sum));
+      } else {
+        L(i, j) = sum / L(j, j);
+      }
+    }
+  Matrix6<S> Lambda;
+  for (int c = 0; c < 6; ++c) {
+    Vector6<S> b = Vector6<S>::Unit(c);
+    for (int i = 0; i < 6; ++i) {
+      for (int k = 0; k < i; ++k) b[i] -= L(i, k) * b[k];
+      b[i] /= L(i, i);
+    }
+    for (int i = 5; i >= 0; --i) {
+      for (int k = i + 1; k < 6; ++k) b[i] -= L(k, i) * b[k];
+      b[i] /= L(i, i);
+    }
+    for (int i = 0; i < 6; ++i) Lambda(i, c) = b[i] * scale[i] * scale[c];
+  }
+  return Lambda;
+}
+
+}  // namespace liecheck

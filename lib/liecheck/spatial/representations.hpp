@@ -1,0 +1,113 @@
+#pragma once
+// Representations of a rotation: axis and angle, Gibbs and modified Rodrigues parameters, and the rotation that is
+// nearest to a matrix.
+//
+//   axis n, angle theta    Q = +-(sin(theta/2) n, cos(theta/2))
+//   Gibbs                  g = tan(theta/2) n = v/w                with a pole at theta = pi
+//   modified Rodrigues     s = tan(theta/4) n = v/(|Q| + w)        |s| <= 1 for the w >= 0 of Q and -Q
+//
+// Quaternions of any finite norm but zero stand for their normalised values. Source: Shuster 1993, A survey of attitude
+// representations.
+
+#include <liecheck/spatial/relative_rotation.hpp>
+#include <liecheck/spatial/so3.hpp>
+
+namespace liecheck {
+
+/// The turn by `angle` [rad] about the unit vector `axis`.
+template <Scalar S>
+struct AxisAngle {
+  Vector3<S> axis;
+  S angle;
+  /// (axis, angle), shape 4.
+  Vector4<S> to_vector() const { return Vector4<S>(axis[0], axis[1], axis[2], angle); }
+};
+
+/// The unit quaternion of the rotation nearest to R [3 x 3], |R^T R - I| <= 8 eps. Its largest number among the four is
+/// positive. Error 2 eps of the rotation, 4 eps of the norm. Source: Shepperd 1978.
+template <Scalar S>
+SO3<S> toQuaternion(const Matrix3<S>& R) {
+  return SO3<S>(normalizedUnit<S, 4>(SO3<S>::fromMatrix(R).to_vector()));
+}
+
+/// Axis and angle of Q: theta = 2 atan2(|v|, |w|) in [0, pi], n = sgn(w) v/|v|. The axis of the identity is x. Error 3 eps
+/// of theta n, and 2 eps of |n|. Throws std::invalid_argument if Q = 0.
+template <Scalar S>
+AxisAngle<S> toAxisAngle(const SO3<S>& Q) {
+  using std::atan2;
+  const S length = relative_rotation_detail::length<S, 3>(Q.vec()), w = absolute<S>(Q.w());
+  if (length == S(0)) {
+    if (w == S(0)) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
+    return {Vector3<S>(Vector3<S>::UnitX()), S(0)};
+  }
+  const Vector3<S> n = normalizedUnit<S, 3>(Q.vec());
+  return {Q.w() < S(0) ? Vector3<S>(-n) : n, S(S(2) * S(atan2(length, w)))};
+}
+/// Q = (sin(angle/2) axis, cos(angle/2)) of a unit axis. Error 3 eps of the rotation, 6 eps of the norm.
+template <Scalar S>
+SO3<S> fromAxisAngle(const AxisAngle<S>& turn) {
+  using std::cos, std::sin;
+  const S half = turn.angle / S(2);
+  return SO3<S>(Vector3<S>(S(sin(half)) * turn.axis), S(cos(half)));
+}
+
+/// Gibbs parameters v/w of Q, w != 0. Error 1 eps. Infinite at theta = pi.
+template <Scalar S>
+Vector3<S> toGibbs(const SO3<S>& Q) {
+  return Q.vec() / Q.w();
+}
+/// Q = (g, 1)/|(g, 1)|. Error 4 eps.
+template <Scalar S>
+SO3<S> fromGibbs(const Vector3<S>& g) {
+  return SO3<S>(normalizedUnit<S, 4>(Vector4<S>(g[0], g[1], g[2], S(1))));
+}
+
+/// Modified Rodrigues parameters sgn(w) v/(|Q| + |w|) of Q, of length at most 1. Error 3 eps.
+template <Scalar S>
+Vector3<S> toModifiedRodrigues(const SO3<S>& Q) {
+  const S n = relative_rotation_detail::length<S, 4>(Q.to_vector()), w = Q.w();
+  return Q.vec() / (w < S(0) ? S(w - n) : S(w + n));
+}
+/// Q = (2 s, 1 - |s|^2)/(1 + |s|^2) of parameters of any length: |s| > 1 is the shadow of -s/|s|^2. Error 4 eps.
+template <Scalar S>
+SO3<S> fromModifiedRodrigues(const Vector3<S>& s) {
+  const S length = relative_rotation_detail::length<S, 3>(s);
+  if (S(1) < length) {  // (2 s/|s|^2, 1/|s|^2 - 1)/(1 + 1/|s|^2), whose squares stay finite
+    const S inverse = S(1) / length;
+    const Vector3<S> shadow = (s / length) * inverse;
+    const S square = inverse * inverse, by = S(1) + square;
+    return SO3<S>(Vector3<S>(shadow * (S(2) / by)), S(-(S(1) - inverse) * (S(1) + inverse) / by));
+  }
+  const S by = S(1) + length * length;
+  return SO3<S>(Vector3<S>(s * (S(2) / by)), S((S(1) - length) * (S(1) + length) / by));
+}
+
+/// The rotation R [3 x 3] that minimises |R - A| (Frobenius): the polar factor of A, |A^T A - I| <= 0.4, det A > 0. Newton
+/// and Schulz's iteration X <- X (3 I - X^T X)/2 until its steps are of the order of the rounding, then fromMatrix. Error
+/// 8 eps of the rotation; |R^T R - I| <= 8 eps. Throws std::invalid_argument if A is farther from a rotation or not finite.
+/// Source: Higham 2008, eq. 8.20.
+template <Scalar S>
+Matrix3<S> nearestRotation(const Matrix3<S>& A) {
+  using std::sqrt;
+  Matrix3<S> X = A;
+  for (int step = 0;; ++step) {
+    const Matrix3<S> E = Matrix3<S>(X.transpose() * X) - Matrix3<S>(Matrix3<S>::Identity());
+    const S size = E.squaredNorm();
+    if (step == 0 && !(size <= S(1) / S(4) && S(0) < X.col(0).dot(cross<S>(X.col(1), X.col(2)))))
+      throw std::invalid_argument("a matrix whose nearest rotation is not near: |A^T A - I| is above 1/2");
+    if (size * size < eps<S>() * eps<S>() || step == 60) break;  // fromMatrix removes what is left
+    X = X - Matrix3<S>(X * E) / S(2);
+  }
+  return toQuaternion<S>(X).matrix();
+}
+
+/// The rotation R [3 x 3] with x along the first column of A and y in the plane of the first two (Gram and Schmidt),
+/// |A^T A - I| <= 0.4, det A > 0. Error 8 eps. Throws std::invalid_argument if a column is zero.
+template <Scalar S>
+Matrix3<S> orthonormalized(const Matrix3<S>& A) {
+  const Vector3<S> x = normalizedUnit<S, 3>(Vector3<S>(A.col(0))), b = A.col(1),
+                   y = normalizedUnit<S, 3>(Vector3<S>(b - dot<S>(x, b) * x)), z = cross<S>(x, y);
+  return rows<S>(x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]);
+}
+
+}  // namespace liecheck
