@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <liecheck/liecheck.hpp>
+#include <liecheck/multibody/means.hpp>
+#include <liecheck/spatial/extended_pose.hpp>
+#include <liecheck/spatial/preintegration.hpp>
+#include <liecheck/spatial/representations.hpp>
+#include <liecheck/spatial/transforms.hpp>
 
-#include "generic_pose.hpp"
 #include "random_tree.hpp"
 
 namespace {

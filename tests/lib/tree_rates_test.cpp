@@ -122,11 +122,12 @@ TEST(TreeRates, StaticTorquesAndTheInertiaOfAFrame) {
         return Mat(getFrameJacobian(m, d, frame, reference));
       }();
       const Mat K = J * computeMinverse(m, d, s.q) * J.transpose();
-      const Eigen::SelfAdjointEigenSolver<Mat> spectrum(K);
-      if (spectrum.eigenvalues()[0] < 1e-6 * spectrum.eigenvalues()[5])
-        continue;  // fewer than six directions
-      const Mat Lambda = computeOperationalSpaceInertia(m, d, s.q, frame, reference);
-      EXPECT_LE((Lambda * K - Mat::Identity(6, 6)).norm(), 1e-6);
+      try {
+        const Mat Lambda = computeOperationalSpaceInertia(m, d, s.q, frame, reference);
+        EXPECT_LE((K * Lambda * K - K).norm(), 1e-9 * K.norm());
+      } catch (const std::domain_error&) {
+        continue;  // the frame moves in fewer than six directions
+      }
       ++judged;
     }
   });
