@@ -186,6 +186,8 @@ void Store::check_structure() {
 }
 
 void Store::check_campaigns() {
+  // All counts are of one state: another process may commit a campaign between two of them.
+  const SQLite::Transaction reading(database_);
   const std::int64_t n = integer("SELECT count(*) FROM campaigns");
   if (n > 0 &&
       (integer("SELECT min(id) FROM campaigns") != 1 || integer("SELECT max(id) FROM campaigns") != n))
