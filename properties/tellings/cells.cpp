@@ -118,10 +118,9 @@ json record_of(const CellKey& key, const Cell& c) {
           {"bands", bands}};
 }
 
-/// Whether an operation's torques or accelerations depend on the damping and friction of joints.
+/// Whether an operation gives torques or accelerations, or derivatives of them, to which a reader may add friction.
 bool has_friction(std::string_view operation) {
-  for (const char* part :
-       {"rnea", "nonlinear", "aba", "derivative", "power", "impulse", "momentum_conserved"})
+  for (const char* part : {"rnea", "nonlinear", "aba", "derivative", "power", "momentum_conserved"})
     if (operation.find(part) != operation.npos) return true;
   return false;
 }

@@ -20,6 +20,7 @@ using V6 = Vector6<double>;
 using V7 = Vector7<double>;
 using V9 = Vector9<double>;
 
+/// Results and their definitions have up to about thirty operations on numbers of size 1, each right to half an eps.
 constexpr double close = 64 * 0x1p-52;
 
 SO3<double> turned(const V3& phi) {
@@ -63,6 +64,8 @@ TEST(Representations, TheNearestRotationIsThePolarFactorAndGramSchmidtTriangular
     EXPECT_GT(U.diagonal().minCoeff(), 0);
   }
   EXPECT_THROW(nearestRotation<double>(2 * M3::Identity()), std::invalid_argument);
+  EXPECT_THROW(toGibbs<double>(SO3<double>(V4(1, 0, 0, 0))), std::invalid_argument);
+  EXPECT_THROW(toModifiedRodrigues<double>(SO3<double>(V4(0, 0, 0, 0))), std::invalid_argument);
 }
 
 TEST(Transforms, ACovarianceIsTransportedByTheAdjointAndAScrewReturnsItsTwist) {
@@ -111,7 +114,9 @@ TEST(Means, BalanceTheLogarithmsAndTheChordalMeanIsStationary) {
     }
     const double largest = q.dot(M * q);
     EXPECT_LE((M * q - largest * q).norm(), close);
-    EXPECT_GE(largest, 0.5 * M.trace());
+    EXPECT_GE(largest, 0.5 * M.trace());  // more than half of the trace is the largest eigenvalue's
+    EXPECT_THROW((chordalMean<double, 3>(rotations, V3(1, -1, 1))), std::invalid_argument);
+    EXPECT_THROW((meanPose<double, 3>(all, V3(0, 0, 0))), std::invalid_argument);
   }
 }
 
@@ -196,6 +201,21 @@ TEST(Preintegration, OfConstantMeasurementsIsTheLimitOfSmallSteps) {
     const Vec once = fine(1);
     const auto forster = preintegratedForster<double, 3>(gyro, accelerometer, dt);
     EXPECT_LE((forster.delta.p - once.head(3)).norm() + (forster.delta.v - once.tail(3)).norm(), 4 * close);
+  }
+}
+
+TEST(Preintegration, OfFastTurnsAgreesWithHalfMeasurements) {
+  Random random(9);
+  for (const double turn : {0.5, 3.1, 3.2, 20., 300.}) {
+    const V3 w = turn * random.vector(1).normalized(), a = random.vector(3), o = V3::Zero();
+    using Two = Eigen::Matrix<double, 6, 1>;
+    const auto whole = preintegratedBrossard<double, 1>(w, a, 1.0);
+    const auto halves =
+        preintegratedBrossard<double, 2>((Two() << w, w).finished(), (Two() << a, a).finished(), 0.5);
+    const double allowed = close * (1 + turn);  // the rounding of the angle turns the result
+    EXPECT_LE((whole.delta.p - halves.delta.p).norm() + (whole.delta.v - halves.delta.v).norm(), allowed);
+    EXPECT_LE((whole.p_g - halves.p_g).norm() + (whole.v_g - halves.v_g).norm(), allowed);
+    EXPECT_THROW((preintegratedBrossard<double, 1>(V3(1e200 * w), o, 1.0)), std::invalid_argument);
   }
 }
 

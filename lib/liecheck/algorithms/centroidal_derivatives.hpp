@@ -15,7 +15,7 @@
 namespace liecheck {
 
 /// dh/dq, dh'/dq, dh'/dv and dh'/da = A_G [6 x nv] of computeCentroidalMomentum and its time variation. Updates liMi, oMi.
-/// Throws std::invalid_argument if a matrix has another size, and as computeTotalMass's users if there is no centre of mass.
+/// Throws std::invalid_argument if a matrix has another size, and std::domain_error if there is no mass.
 template <Scalar S>
 void computeCentroidalDynamicsDerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                                           JacobianOut<S> dh_dq, JacobianOut<S> dhdot_dq,

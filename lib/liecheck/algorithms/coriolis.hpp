@@ -34,14 +34,13 @@ const MatrixX<S>& computeCoriolisMatrix(const Model<S>& model, Data<S>& data, In
                       s_rate = column_k.get(RateColumn<S>::y) - column_k.get(RateColumn<S>::w);
       const Force<S> up = moving.force(s_rate, s * half), I_s = moving.momentum(s);
       const Vector3<S> B_s = half * moving.transposed(s);
-      const auto s_of = [&](int m) {
-        return RateColumn<S>{work.rates.data() + 24 * m}.get(RateColumn<S>::s);
-      };
-      for (int m = begin; m < end; ++m) C(model.column_to_v[std::size_t(m)], vk) += s_of(m).dot(up);
+      const auto column_of = [&](int m) { return RateColumn<S>{work.rates.data() + 24 * m}; };
+      for (int m = begin; m < end; ++m)
+        C(model.column_to_v[std::size_t(m)], vk) += column_of(m).get(RateColumn<S>::s).dot(up);
       for (std::size_t i = std::size_t(model.parents[j]); i > 0; i = std::size_t(model.parents[i])) {
         const int first = model.idx_columns[i], last = first + model.column_counts[i];
         for (int m = first; m < last; ++m) {
-          const RateColumn<S> column_m{work.rates.data() + 24 * m};
+          const RateColumn<S> column_m = column_of(m);
           const int vm = model.column_to_v[std::size_t(m)];
           const Motion<S> s_m = column_m.get(RateColumn<S>::s),
                           rate_m = column_m.get(RateColumn<S>::y) - column_m.get(RateColumn<S>::w);

@@ -9,6 +9,16 @@ namespace liecheck {
 
 namespace means_detail {
 
+/// Throws std::invalid_argument unless all weights are positive numbers whose sum is finite.
+template <class Weights>
+void requirePositive(const Weights& weights) {
+  using S = typename Weights::Scalar;
+  const S sum = weights.sum();
+  bool good = finite<S>(sum);
+  for (int i = 0; i < int(weights.size()); ++i) good = good && S(0) < weights[i];
+  if (!good) throw std::invalid_argument("the weights of a mean are not all positive and finite");
+}
+
 /// The eigenvector of the largest eigenvalue of a symmetric M [4 x 4], by Jacobi's rotations.
 template <Scalar S>
 Vector4<S> largestEigenvector(Eigen::Matrix<S, 4, 4> M) {
@@ -45,9 +55,11 @@ Vector4<S> largestEigenvector(Eigen::Matrix<S, 4, 4> M) {
 /// The chordal mean: the unit Q that maximises sum_i w_i (Q . Q_i)^2, which minimises sum_i w_i |R - R_i|^2. The signs of
 /// the Q_i do not matter. Error 8 eps/g of the rotation, where g is the difference of the two largest eigenvalues of
 /// sum_i w_i Q_i Q_i^T over the largest: two clusters of equal weight have no mean. Throws std::invalid_argument if a Q_i is
-/// zero. Source: Markley et al. 2007, eq. 12.
+/// zero or a weight is not positive. Source: Markley et al. 2007, eq. 12.
 template <Scalar S, std::size_t N>
 SO3<S> chordalMean(const std::array<SO3<S>, N>& all, const Eigen::Matrix<S, int(N), 1>& weights) {
+
+  means_detail::requirePositive(weights);
   // Of the rotations as seen from the first, so that a small spread is known to eps of itself.
   const SO3<S> first = all[0].normalized();
   Eigen::Matrix<S, 4, 4> M = Eigen::Matrix<S, 4, 4>::Zero();

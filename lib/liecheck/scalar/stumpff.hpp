@@ -1,5 +1,6 @@
 #pragma once
 // The series near 0 of exp, log and their Jacobians: the Stumpff functions.
+// Longer than 400 lines: all formulas for small angles stand in this file.
 //
 // Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
 // its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
@@ -26,6 +27,7 @@
 #include <liecheck/scalar/precision.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
+#include <stdexcept>
 
 namespace liecheck {
 
@@ -210,6 +212,33 @@ struct HalfAngle {
  private:
   DoubleWord<S> half_cosine_, half_sine_;  // c0 and c1; not set in fast precision
 };
+
+/// The Stumpff functions c_2 ... c_6 at x = theta^2 [rad^2], at the places of their indices: c_k = 1/k! - x c_{k+2}. Up to
+/// pi, c_5 and c_6 are sums of their power series, with an error of 4 eps; beyond pi, c_2 and c_3 follow from cos and sin,
+/// and the others by division by x, which cancels nothing there. Throws std::invalid_argument if x is not finite.
+template <Scalar S>
+std::array<S, 7> stumpff_functions(const S& x) {
+  using std::cos, std::sin, std::sqrt;
+  if (!finite<S>(x)) throw std::invalid_argument("the square of an angle is not finite");
+  const S inverse_factorials[] = {S(1) / S(2), S(1) / S(6), S(1) / S(24), S(1) / S(120), S(1) / S(720)};
+  std::array<S, 7> c{};
+  if (!within_pi(x)) {
+    const S theta = sqrt(x);
+    c[2] = (S(1) - S(cos(theta))) / x, c[3] = (S(1) - S(sin(theta)) / theta) / x;
+    for (std::size_t k = 4; k < 7; ++k) c[k] = (inverse_factorials[k - 4] - c[k - 2]) / x;
+    return c;
+  }
+  for (int k = 5; k < 7; ++k) {
+    S term = inverse_factorials[k - 2], sum = term, before = S(0);
+    for (int j = 1; sum != before; ++j) {
+      term = term * (-x) / S((2 * j + k - 1) * (2 * j + k));
+      before = sum, sum = sum + term;
+    }
+    c[std::size_t(k)] = sum;
+  }
+  for (std::size_t k = 4; k >= 2; --k) c[k] = inverse_factorials[k - 2] - x * c[k + 2];
+  return c;
+}
 
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4  1/12 at 0, 1/pi^2 at pi

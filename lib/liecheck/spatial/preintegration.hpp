@@ -7,7 +7,7 @@
 //   Brossard et al. 2022, eqs. 28-33           dp += dv dt + dR G2 a dt^2,       dv += dR G1 a dt,   dR <- dR exp(omega dt)
 //
 // G1 = J_l(phi) = I + c2 [phi] + c3 [phi]^2 and G2 = I/2 + c3 [phi] + c4 [phi]^2 at phi = omega dt are exact for a
-// measurement that is constant in body axes (c_k: scalar/stumpff.hpp). Domain: |omega dt| <= pi.
+// measurement that is constant in body axes (c_k: scalar/stumpff.hpp).
 
 #include <liecheck/spatial/extended_pose.hpp>
 
@@ -30,25 +30,6 @@ struct Preintegrated {
 
 namespace preintegration_detail {
 
-/// c_2 ... c_6 at x = theta^2, by the series of c_5 and c_6 and c_k = 1/k! - x c_{k+2}. Error 4 eps for x <= pi^2.
-template <Scalar S>
-std::array<S, 7> stumpff(const S& x) {
-  std::array<S, 7> c{};
-  S factorial(120);
-  for (int k = 5; k <= 6; ++k) {
-    S term = S(1) / factorial, sum = term;
-    for (int j = 1; j < 200; ++j) {
-      term = term * (-x) / S((2 * j + k - 1) * (2 * j + k));
-      const S before = sum;
-      sum = sum + term;
-      if (sum == before) break;
-    }
-    c[std::size_t(k)] = sum;
-    factorial = factorial * S(6);
-  }
-  c[4] = S(1) / S(24) - x * c[6], c[3] = S(1) / S(6) - x * c[5], c[2] = S(1) / S(2) - x * c[4];
-  return c;
-}
 /// G a = first a + c_k phi x a + c_{k+1} phi x (phi x a), its matrix G, and its derivative by phi.
 template <Scalar S>
 struct Integral {
@@ -79,7 +60,7 @@ Preintegrated<S> preintegrated(const Eigen::Matrix<S, int(3 * N), 1>& gyro,
     Matrix3<S> G1 = Matrix3<S>::Identity(), G2 = G1 / S(2), once_phi = Matrix3<S>::Zero(),
                twice_phi = once_phi;
     if constexpr (exact) {
-      const auto c = stumpff<S>(phi.squaredNorm());
+      const auto c = stumpff_functions<S>(phi.squaredNorm());
       const Integral<S> first(c, 2, S(1), phi, a), second(c, 3, S(1) / S(2), phi, a);
       once = first.value, G1 = first.matrix, once_phi = first.by_phi;
       twice = second.value, G2 = second.matrix, twice_phi = second.by_phi;
@@ -100,13 +81,14 @@ Preintegrated<S> preintegrated(const Eigen::Matrix<S, int(3 * N), 1>& gyro,
 }  // namespace preintegration_detail
 
 /// Of N measurements [3 N each; rad/s, m/s^2], one after the other, as Forster et al. define it. Error 4 N eps of the rotation
-/// and of the sums of |a| dt and |a| dt^2 (N - n + 1/2).
+/// and of the sums of |a| dt and |a| dt^2 (N - n + 1/2), for |omega dt| <= pi; beyond pi, |omega dt| eps more.
 template <Scalar S, std::size_t N>
 Preintegrated<S> preintegratedForster(const Eigen::Matrix<S, int(3 * N), 1>& gyro,
                                       const Eigen::Matrix<S, int(3 * N), 1>& accelerometer, const S& dt) {
   return preintegration_detail::preintegrated<false, S, N>(gyro, accelerometer, dt);
 }
 /// The same as Brossard et al. define it: exact if each measurement is constant in body axes.
+/// Throws std::invalid_argument if |omega dt|^2 is not finite.
 template <Scalar S, std::size_t N>
 Preintegrated<S> preintegratedBrossard(const Eigen::Matrix<S, int(3 * N), 1>& gyro,
                                        const Eigen::Matrix<S, int(3 * N), 1>& accelerometer, const S& dt) {

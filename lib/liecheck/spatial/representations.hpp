@@ -51,9 +51,10 @@ SO3<S> fromAxisAngle(const AxisAngle<S>& turn) {
   return SO3<S>(Vector3<S>(S(sin(half)) * turn.axis), S(cos(half)));
 }
 
-/// Gibbs parameters v/w of Q, w != 0. Error 1 eps. Infinite at theta = pi.
+/// Gibbs parameters v/w of Q. Error 1 eps. Throws std::invalid_argument if w = 0, at theta = pi.
 template <Scalar S>
 Vector3<S> toGibbs(const SO3<S>& Q) {
+  if (Q.w() == S(0)) throw std::invalid_argument("a half turn has no Gibbs parameters");
   return Q.vec() / Q.w();
 }
 /// Q = (g, 1)/|(g, 1)|. Error 4 eps.
@@ -63,9 +64,11 @@ SO3<S> fromGibbs(const Vector3<S>& g) {
 }
 
 /// Modified Rodrigues parameters sgn(w) v/(|Q| + |w|) of Q, of length at most 1. Error 3 eps.
+/// Throws std::invalid_argument if Q = 0.
 template <Scalar S>
 Vector3<S> toModifiedRodrigues(const SO3<S>& Q) {
   const S n = relative_rotation_detail::length<S, 4>(Q.to_vector()), w = Q.w();
+  if (n == S(0)) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
   return Q.vec() / (w < S(0) ? S(w - n) : S(w + n));
 }
 /// Q = (2 s, 1 - |s|^2)/(1 + |s|^2) of parameters of any length: |s| > 1 is the shadow of -s/|s|^2. Error 4 eps.
@@ -82,13 +85,12 @@ SO3<S> fromModifiedRodrigues(const Vector3<S>& s) {
   return SO3<S>(Vector3<S>(s * (S(2) / by)), S((S(1) - length) * (S(1) + length) / by));
 }
 
-/// The rotation R [3 x 3] that minimises |R - A| (Frobenius): the polar factor of A, |A^T A - I| <= 0.4, det A > 0. Newton
+/// The rotation R [3 x 3] that minimises |R - A| (Frobenius): the polar factor of A, |A^T A - I| <= 1/2, det A > 0. Newton
 /// and Schulz's iteration X <- X (3 I - X^T X)/2 until its steps are of the order of the rounding, then fromMatrix. Error
 /// 8 eps of the rotation; |R^T R - I| <= 8 eps. Throws std::invalid_argument if A is farther from a rotation or not finite.
 /// Source: Higham 2008, eq. 8.20.
 template <Scalar S>
 Matrix3<S> nearestRotation(const Matrix3<S>& A) {
-  using std::sqrt;
   Matrix3<S> X = A;
   for (int step = 0;; ++step) {
     const Matrix3<S> E = Matrix3<S>(X.transpose() * X) - Matrix3<S>(Matrix3<S>::Identity());
