@@ -84,30 +84,9 @@ class DenseTree : TreeParts<S> {
   }
   V3 center_of_mass(const X& q) const { return centre_of(at<S>(q, X::Zero(tree_.nv))); }
   /// C = sum_i J_i^T (M_i J_i' + K_i J_i), where K_i x = x x* M_i V_i is skew, so that M' = C + C^T.
-  M coriolis(const X& q, const X& v) const {
-    const State<S> s = at<S>(q, v);
-    M C = M::Zero(tree_.nv, tree_.nv);
-    for (std::size_t i = 0; i < s.J.size(); ++i) {
-      const V6 h = bodies_[i].M * s.V[i];
-      const M3 f = hat<S>(h.template head<3>()), n = hat<S>(h.template tail<3>());
-      C += s.J[i].transpose() * (bodies_[i].M * s.Jd[i] + four<S>(M3::Zero(), -f, -f, -n) * s.J[i]);
-    }
-    return C;
-  }
-  std::pair<M, M> momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const {
-    return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
-      return VecX<D>(momentum<D>(at<D>(q, moving, moved), moving, a, of_rate));
-    });
-  }
-  std::pair<M, M> frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const {
-    return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
-      const State<D> s = at<D>(q, moving, moved);
-      const Vec<D, 6> motion = acceleration
-                                   ? Vec<D, 6>(s.J[joint()] * a.template cast<D>() + s.Jd[joint()] * moving)
-                                   : s.V[joint()];
-      return VecX<D>(seen_from(frame_of(s), seen) * (to_frame().template cast<D>() * motion));
-    });
-  }
+  M coriolis(const X& q, const X& v) const;
+  std::pair<M, M> momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const;
+  std::pair<M, M> frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const;
 
   Pose<S> frame(const X& q) const { return frame_of(at<S>(q, X::Zero(tree_.nv))); }
   M frame_jacobian(const X& q, Seen seen) const {
@@ -236,5 +215,34 @@ class DenseTree : TreeParts<S> {
   using B::armature_, B::columns_, B::gravity_, B::joint, B::rotation, B::tree_, B::vector;
   std::vector<Rigid> bodies_;
 };
+
+template <class S>
+auto DenseTree<S>::coriolis(const X& q, const X& v) const -> M {
+  const State<S> s = at<S>(q, v);
+  M C = M::Zero(tree_.nv, tree_.nv);
+  for (std::size_t i = 0; i < s.J.size(); ++i) {
+    const V6 h = bodies_[i].M * s.V[i];
+    const M3 f = hat<S>(h.template head<3>()), n = hat<S>(h.template tail<3>());
+    C += s.J[i].transpose() * (bodies_[i].M * s.Jd[i] + four<S>(M3::Zero(), -f, -f, -n) * s.J[i]);
+  }
+  return C;
+}
+template <class S>
+auto DenseTree<S>::momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const
+    -> std::pair<M, M> {
+  return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+    return VecX<D>(momentum<D>(at<D>(q, moving, moved), moving, a, of_rate));
+  });
+}
+template <class S>
+auto DenseTree<S>::frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const
+    -> std::pair<M, M> {
+  return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+    const State<D> s = at<D>(q, moving, moved);
+    const Vec<D, 6> motion =
+        acceleration ? Vec<D, 6>(s.J[joint()] * a.template cast<D>() + s.Jd[joint()] * moving) : s.V[joint()];
+    return VecX<D>(seen_from(frame_of(s), seen) * (to_frame().template cast<D>() * motion));
+  });
+}
 
 }  // namespace liecheck::properties::correct

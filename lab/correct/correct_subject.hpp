@@ -289,18 +289,22 @@ struct CorrectSubject : Correct<S, Style> {
   }
 };
 
-/// Registers every style in S but that of correct_wide_*.cpp.
+/// Registers styles in S: those of correct_matrices_*.cpp, or those of correct_quaternions_*.cpp.
 template <class S>
-struct RegisteredStyles {
-  Registered<S> all[7] = {
-      Registered<S>(CorrectSubject<S, Quaternions<S>>::make("quaternions", "unit quaternions, half angles")),
+struct RegisteredMatrices {
+  Registered<S> all[4] = {
       Registered<S>(CorrectSubject<S, Matrices<S>>::make("matrices", "3 x 3 and 6 x 6 matrices")),
-      Registered<S>(CorrectSubject<S, DualQuaternions<S>>::make("dual_quaternions", "unit dual quaternions")),
       Registered<S>(CorrectSubject<S, Books<S>>::make("books", "closed forms with series near 0")),
       Registered<S>(CorrectSubject<S, RotationVectors<S>>::make("rodrigues", "rotation vectors")),
-      Registered<S>(
-          CorrectSubject<S, Cayley<S>>::make("cayley", "Cayley transform of a quarter of the angle")),
       Registered<S>(CorrectSubject<S, HalfAngles<S>>::make("half_angles", "matrices from half angles"))};
+};
+template <class S>
+struct RegisteredQuaternions {
+  Registered<S> all[3] = {
+      Registered<S>(CorrectSubject<S, Quaternions<S>>::make("quaternions", "unit quaternions, half angles")),
+      Registered<S>(CorrectSubject<S, DualQuaternions<S>>::make("dual_quaternions", "unit dual quaternions")),
+      Registered<S>(
+          CorrectSubject<S, Cayley<S>>::make("cayley", "Cayley transform of a quarter of the angle"))};
 };
 
 }  // namespace liecheck::properties::correct

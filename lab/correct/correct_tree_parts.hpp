@@ -238,8 +238,8 @@ TreeOperations<S> bind(const Tree<S>& tree) {
       return t->momentum_map(q).topRows(3) / t->total_mass();
     };
     o[op::operational_inertia] = [t](const X& q, Seen seen) -> Mat<S, 6> {
-      const M J = t->frame_jacobian(q, seen);
-      return (J * Factor<S>(t->mass(q)).solve(M(J.transpose()))).inverse();
+      const M J = t->frame_jacobian(q, seen), x = Factor<S>(t->mass(q)).solve(M(J.transpose()));
+      return Factor<S>(M(J * x)).solve(M(M::Identity(6, 6)));
     };
   }
   return o;

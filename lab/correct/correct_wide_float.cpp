@@ -3,8 +3,8 @@
 namespace liecheck::properties::correct {
 namespace {
 
-const Registered<float> in_float(CorrectSubject<float, Quaternions<double>>::make("wide",
-                                                                           "quaternions in more digits"));
+const Registered<float> in_float(
+    CorrectSubject<float, Quaternions<double>>::make("wide", "quaternions in more digits"));
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -60,7 +60,10 @@ Formulas<Real> transforms() {
   using P = oracles::Pose;
   const auto Ad = [](const P& X) { return assemble(X.R, hat(X.p) * X.R, zeros<3, 3, Real>(), X.R); };
   const auto mean = [](const std::vector<V7>& poses, const V3& w) {
-    const MeanPose m = oracles::geodesic_mean(poses, {w[0], w[1], w[2]});
+    const std::vector<Real> weights{w[0], w[1], w[2]};
+    std::vector<V4> rotations;
+    for (const V7& pose : poses) rotations.push_back(oracles::quaternion_of(pose));
+    const MeanPose m = oracles::geodesic_mean(poses, weights, oracles::chordal_mean(rotations, weights).Q);
     return std::pair(m.p, m.Q);
   };
   const auto turned = [](const V4& Q) { return V7{{Real(0), Real(0), Real(0), Q[0], Q[1], Q[2], Q[3]}}; };

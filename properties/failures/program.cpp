@@ -33,7 +33,7 @@ std::string variable_of(const Layout& argument) {
   return argument.type.starts_with("Vector")
              ? fmt::format("  {0} {1};\n  {1} << {2};\n", argument.type, argument.name,
                            fmt::join(parts, ", "))
-             : fmt::format("  const {} {}({});\n", argument.type, argument.name, fmt::join(parts, ", "));
+             : fmt::format("  const {} {}{{{}}};\n", argument.type, argument.name, fmt::join(parts, ", "));
 }
 
 /// The law's fields. Fields of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).

@@ -74,31 +74,29 @@ class Means final : public SlowLaw<Means> {
       poses.push_back(exact_vector<7>(q[i]));
       rotations.push_back(quaternion_of(poses.back()));
     }
+    const MeanRotation chord = chordal_mean(rotations, weights);
     if (o[op::mean_rotation]) {
       const properties::Vec<double, 4> computed = o[op::mean_rotation](Q[0], Q[1], Q[2], w);
-      const MeanRotation exact = chordal_mean(rotations, weights);
-      const auto kappa = [&] { return std::max(1.0, static_cast<double>(Real(2 / exact.gap))); };
-      if (exact.gap < Real(1e3 * r.scalar().epsilon) && all_finite(computed)) {  // two clusters
+      const auto kappa = [&] { return std::max(1.0, static_cast<double>(Real(2 / chord.gap))); };
+      if (chord.gap < Real(1e3 * r.scalar().epsilon) && all_finite(computed)) {  // two clusters
         for (const Output& out : chordal) r.outcome(out, 0, Outcome::ill_posed);
       } else {
-        judged_value(r, {chordal[0], chordal[1]}, 0, computed, exact.resolved, [&] {
+        judged_value(r, {chordal[0], chordal[1]}, 0, computed, chord.resolved, [&] {
           const Quaternion<> m = exact_vector<4>(computed);
-          r.record(chordal[0], 0, rotation_error(r.scalar(), m, exact.Q), kappa);
+          r.record(chordal[0], 0, rotation_error(r.scalar(), m, chord.Q), kappa);
           r.record(chordal[1], 0, norm_defect(r.scalar(), m));
         });
       }
     }
     if (!o[op::geodesic_mean] && !o[op::mean_pose]) return;
-    Real apart(0);
+    bool unique = true;  // all within 2 rad of one another
+    static const Real cosine = cos(Real(1));
     for (std::size_t i = 0; i < 3; ++i)
-      apart = larger(
-          apart, log_of(conjugate_product(cast<Real100>(rotations[i]), cast<Real100>(rotations[(i + 1) % 3])),
-                        zero_vector<3, Real100>())
-                     .theta);
+      unique = unique && abs(conjugate_product(normalized(rotations[i]),
+                                               normalized(rotations[(i + 1) % 3]))[3]) >= cosine;
     // The rotation of a mean of poses is the mean of their rotations, so that one value serves both.
-    const bool unique = apart <= 2;
     MeanPose exact;
-    if (unique) exact = oracles::geodesic_mean(poses, weights);
+    if (unique) exact = oracles::geodesic_mean(poses, weights, chord.Q);
     const Resolved<Quaternion<>> turn{exact.Q, exact.resolved};
     if (o[op::geodesic_mean]) {
       const properties::Vec<double, 4> computed = o[op::geodesic_mean](Q[0], Q[1], Q[2], w);

@@ -15,10 +15,10 @@ inline constexpr std::string_view extended_header = "spatial/extended_pose.hpp",
 namespace parts {
 inline constexpr Few<Part, 4> extended{{"R", 9, "1"}, {"p", 3, "m"}, {"v", 3, "m/s"}};
 }
-inline constexpr Value<type::ExtendedPose> extended_X{{"X", parts::extended, "from B to A"}},
+inline constexpr Value<type::ExtendedPose> extended_X{{"X", parts::extended, "from B to A", "ExtendedPose<S>"}},
     extended_result{{"X", parts::extended, "parent axes"}};
 inline constexpr Value<type::Vector9> extended_xi{
-    {"xi", {{"rho", 3, "m"}, {"nu", 3, "m/s"}, {"phi", 3, "rad"}}, "body axes"}},
+    {"xi", {{"rho", 3, "m"}, {"nu", 3, "m/s"}, {"phi", 3, "rad"}}, "body axes", "Vector9<S>"}},
     extended_log_result{{"xi", {{"rho", 3, "m"}, {"nu", 3, "m/s"}, {"phi", 3, "rad"}}, "body axes"}};
 inline constexpr Value<type::Matrix9> J9{{"J", {{"J", 81, "1, m, m/s"}}, "position, velocity, rotation"}};
 

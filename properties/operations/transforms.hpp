@@ -72,19 +72,19 @@ inline constexpr auto mean_rotation = operation<struct MeanRotation>(
     {"mean_rotation", "the Q that maximises sum_i w_i (Q . Q_i)^2: the chordal mean",
      "Markley et al. 2007, Averaging quaternions, eq. 12"},
     Q_mean, {rotation_of_quaternion, norm_of_quaternion},
-    {means_header, "chordalMean<S, 3>({{Q0, Q1, Q2}}, weights).to_vector()"}, Q0, Q1, Q2, weights);
+    {means_header, "chordalMean<S, 3>({SO3<S>(Q0), SO3<S>(Q1), SO3<S>(Q2)}, weights).to_vector()"}, Q0, Q1, Q2, weights);
 inline constexpr auto geodesic_mean = operation<struct GeodesicMean>(
     {"geodesic_mean", "Q with sum_i w_i log(Q* Q_i) = 0, of rotations within 2 rad of one another",
      "Moakher 2002, eq. 3.16"},
     Q_mean, {rotation_of_quaternion, norm_of_quaternion},
-    {means_header, "geodesicMean<S, 3>({{Q0, Q1, Q2}}, weights).to_vector()"}, Q0, Q1, Q2, weights);
+    {means_header, "geodesicMean<S, 3>({SO3<S>(Q0), SO3<S>(Q1), SO3<S>(Q2)}, weights).to_vector()"}, Q0, Q1, Q2, weights);
 inline constexpr Block translation_of_mean{block::translation, "|p - p_exact|",
                                            "max(|p_exact|, |p0|, |p1|, |p2|)", "m"};
 inline constexpr auto mean_pose = operation<struct MeanPose>(
     {"mean_pose", "T with sum_i w_i log(T^-1 T_i) = 0, of rotations within 2 rad of one another",
      mean_source},
     q_between, {rotation_of_quaternion, translation_of_mean, norm_of_quaternion},
-    {means_header, "meanPose<S, 3>({{q0, q1, q2}}, weights)"}, q0, q1, q2, weights);
+    {means_header, "meanPose<S, 3>({q0, q1, q2}, weights)"}, q0, q1, q2, weights);
 inline constexpr auto interpolate = operation<struct Interpolate>(
     {"interpolate", "T0 exp(t log(T0^-1 T1)), 0 <= t <= 1", plus_source}, q_between,
     {{block::rotation, "2 min(|Q/|Q| - Q_exact|, |Q/|Q| + Q_exact|); either arc if the angle is pi",

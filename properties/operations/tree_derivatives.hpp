@@ -61,8 +61,8 @@ inline constexpr Block linear_by_q{block::linear_by_q, "|((D_q - exact) d) linea
     angular_by_v{block::angular_by_v, "|((D_v - exact) d) angular| for a direction d",
                  "|(D_v exact d) angular|", "SI"};
 inline constexpr std::string_view centroidal_call =
-    "Eigen::MatrixXd h_q(6, model.nv), f_q = h_q, f_v = h_q, f_a = h_q;\n"
-    "  computeCentroidalDynamicsDerivatives<S>(model, data, q, v, a, h_q, f_q, f_v, f_a);";
+    "MatrixX<S> h_q(6, model.nv), f_q = h_q, f_v = h_q, f_a = h_q;\n"
+    "computeCentroidalDynamicsDerivatives<S>(model, data, q, v, a, h_q, f_q, f_v, f_a);";
 inline constexpr auto momentum_derivative = operation<struct MomentumDerivative, true>(
     {"momentum_derivative", "d h_g / d q, with q displaced by integrate", derivatives_source},
     momentum_derivative_result, {linear_by_q, angular_by_q},
@@ -80,18 +80,18 @@ inline constexpr auto frame_velocity_derivatives = operation<struct FrameVelocit
      derivatives_source},
     frame_derivatives_result, {linear_by_q, angular_by_q, linear_by_v, angular_by_v},
     {"algorithms/kinematics_derivatives.hpp", "(by_q * d).transpose() << '\\n' << (by_v * d).transpose()",
-     "Eigen::MatrixXd by_q(6, model.nv), by_v = by_q;\n"
-     "  computeForwardKinematicsDerivatives(model, data, q, v, v);\n"
-     "  getFrameVelocityDerivatives<S>(model, data, frame, seen, by_q, by_v);"},
+     "MatrixX<S> by_q(6, model.nv), by_v = by_q;\n"
+     "computeForwardKinematicsDerivatives(model, data, q, v, v);\n"
+     "getFrameVelocityDerivatives<S>(model, data, frame, seen, by_q, by_v);"},
     tree_q, tree_v, seen);
 inline constexpr auto frame_acceleration_derivatives = operation<struct FrameAccelerationDerivatives, true>(
     {"frame_acceleration_derivatives",
      "(d V' / d q, d V' / d v) of frame_acceleration, with q displaced by integrate", derivatives_source},
     frame_derivatives_result, {linear_by_q, angular_by_q, linear_by_v, angular_by_v},
     {"algorithms/kinematics_derivatives.hpp", "(by_q * d).transpose() << '\\n' << (by_v * d).transpose()",
-     "Eigen::MatrixXd by_q(6, model.nv), by_v = by_q, by_a = by_q;\n"
-     "  computeForwardKinematicsDerivatives(model, data, q, v, a);\n"
-     "  getFrameAccelerationDerivatives<S>(model, data, frame, seen, by_q, by_v, by_a);"},
+     "MatrixX<S> by_q(6, model.nv), by_v = by_q, by_a = by_q;\n"
+     "computeForwardKinematicsDerivatives(model, data, q, v, a);\n"
+     "getFrameAccelerationDerivatives<S>(model, data, frame, seen, by_q, by_v, by_a);"},
     tree_q, tree_v, tree_a, seen);
 
 inline constexpr auto operational_inertia = operation<struct OperationalInertia, true>(

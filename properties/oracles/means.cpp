@@ -1,5 +1,8 @@
 #include <oracles/means.hpp>
 
+#include <cmath>
+#include <numbers>
+#include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
 
 namespace liecheck::oracles {
@@ -56,7 +59,7 @@ bool is_positive(M4 A) {
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;
 
-/// H += w J_l(xi)^-1, by its series in ad = [[[phi], [rho]], [0, [phi]]]: to 1e-6 for |phi| <= 2.
+/// H += w J_l(xi)^-1, by its series sum_k B_k ad^k / k! in ad = [[[phi], [rho]], [0, [phi]]], for |phi| <= 2.
 void add_inverse_jacobian(Matrix6& H, const Vec6<>& xi, double w) {
   const auto product = [](const Matrix6& a, const Matrix6& b) {
     Matrix6 c{};
@@ -78,11 +81,17 @@ void add_inverse_jacobian(Matrix6& H, const Vec6<>& xi, double w) {
       }
   }
   for (std::size_t i = 0; i < 6; ++i) power[i][i] = 1;
-  const double bernoulli[] = {1,          -1. / 2, 1. / 12,       0,  -1. / 720,    0,
-                              1. / 30240, 0,       -1. / 1209600, 0., 1. / 47900160};
-  for (const double b : bernoulli) {
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = 0; j < 6; ++j) H[i][j] += w * b * power[i][j];
+  // B_2k / (2k)! = 2 (-1)^(k + 1) zeta(2k) / (2 pi)^2k.
+  static const std::array<double, 32> bernoulli = [] {
+    std::array<double, 32> c{1, -.5};
+    for (std::size_t k = 2; k < 32; k += 2)
+      c[k] = (k % 4 ? 2 : -2) * std::riemann_zeta(double(k)) / std::pow(2 * std::numbers::pi, double(k));
+    return c;
+  }();
+  for (std::size_t k = 0; k < 32; ++k) {
+    if (k < 2 || k % 2 == 0)
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) H[i][j] += w * bernoulli[k] * power[i][j];
     power = product(power, ad);
   }
 }
@@ -126,33 +135,39 @@ MeanRotation chordal_mean(const std::vector<Quaternion<>>& all, const std::vecto
               is_positive(Wide(largest * (1 + Wide(1e-60))) * identity<4, Wide>() - M)};
 }
 
-MeanPose geodesic_mean(const std::vector<Vec7<>>& all, const std::vector<Real>& weights) {
-  std::vector<Quaternion<>> rotations;
+MeanPose geodesic_mean(const std::vector<Vec7<>>& all, const std::vector<Real>& weights,
+                       const Quaternion<>& start) {
   Real sum(0), size(0);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    rotations.push_back(quaternion_of(all[i]));
     sum += weights[i];
     size = larger(size, Real(norm(head3(all[i]))));
   }
-  Quaternion<Wide> Q = cast<Wide>(chordal_mean(rotations, weights).Q);
+  Quaternion<Wide> Q = normalized(cast<Wide>(start));
   Vec3<Wide> p = cast<Wide>(head3(all[0]));
-  bool resolved = true;
+  const auto at = [&](std::size_t i) {
+    return std::pair{conjugate_product(Q, normalized(cast<Wide>(quaternion_of(all[i])))),
+                     Vec3<Wide>(transpose(rotation_matrix(Q)) * (cast<Wide>(head3(all[i])) - p))};
+  };
   for (int step = 0; step < 60; ++step) {
     Vec6<> mean = zero_vector<6, Real>();
     Matrix6 H{};
-    const Mat3<Wide> back = transpose(rotation_matrix(Q));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const LogResult log = log_of(conjugate_product(Q, normalized(cast<Wide>(rotations[i]))),
-                                   back * (cast<Wide>(head3(all[i])) - p));
-      resolved = resolved && log.resolved;
-      mean = mean + Real(weights[i] / sum) * log.value();
-      add_inverse_jacobian(H, log.value(), static_cast<double>(Real(weights[i] / sum)));
+      const auto [turn, lever] = at(i);
+      const Vec6<> log = cast<Real>(closed_log(turn, lever));
+      mean = mean + Real(weights[i] / sum) * log;
+      add_inverse_jacobian(H, log, static_cast<double>(Real(weights[i] / sum)));
     }
-    if (norm(tail3(mean)) < Real(1e-43) && norm(head3(mean)) <= Real(1e-43) * size)
+    if (norm(tail3(mean)) < Real(1e-43) && norm(head3(mean)) <= Real(1e-43) * size) {
+      bool resolved = true;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto [turn, lever] = at(i);
+        resolved = resolved && log_of(turn, lever).resolved;
+      }
       return {cast<Real>(Q), cast<Real>(p), resolved};
-    const ExpResult e = exp_se3(solved(H, mean));
-    p = p + rotation_matrix(Q) * cast<Wide>(e.p);
-    Q = normalized(quaternion_product(Q, cast<Wide>(e.Q)));
+    }
+    const UnitPose<Wide> e = closed_exp(cast<Wide>(solved(H, mean)));
+    p = p + rotation_matrix(Q) * e.p;
+    Q = normalized(quaternion_product(Q, e.Q));
   }
   return {cast<Real>(Q), cast<Real>(p), false};
 }

@@ -28,8 +28,9 @@ struct MeanPose {
   Vec3<> p;
   bool resolved = false;
 };
-/// For a mean of rotations, the translations are zero.
-MeanPose geodesic_mean(const std::vector<Vec7<>>& all, const std::vector<Real>& weights);
+/// Newton's steps from the rotation `start`, such as the chordal mean. For a mean of rotations, the translations are zero.
+MeanPose geodesic_mean(const std::vector<Vec7<>>& all, const std::vector<Real>& weights,
+                       const Quaternion<>& start);
 
 struct Interpolated {
   IntegrateResult pose, other;  ///< `other` is that of the arc on the other side of pi

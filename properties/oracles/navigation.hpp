@@ -5,7 +5,8 @@
 // G_1 a dt and the position G_2 a dt^2 / 2 (Brossard et al. 2022), or a dt and a dt^2 / 2 (Forster et al. 2017). They are
 // power series in |phi|^2; no angle, sine or quaternion occurs. Derivatives follow from the derivatives of the terms.
 //
-// Confirmed by oracles/exp.hpp, [phi] G_2 / 2 = G_1 - I, and a central difference along one direction of the biases.
+// G_1 = I + [phi] G_2 / 2 and G_0 = I + [phi] G_1 follow from the two series of G_2, so that the rotation depends on both.
+// Confirmed by the rotation of half angles (closed_forms.hpp), and a central difference along one direction of the biases.
 
 #include <array>
 #include <oracles/spatial.hpp>

@@ -3,7 +3,7 @@
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<double> in_double;
+const RegisteredQuaternions<float> in_float;
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -3,7 +3,7 @@
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<float> in_float;
+const RegisteredMatrices<double> in_double;
 
 }  // namespace
 }  // namespace liecheck::properties::correct
