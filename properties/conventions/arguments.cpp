@@ -40,8 +40,13 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
       return joined(g.of_length(angle));
     case Kind::quaternion:
       return joined(g.rotation(angle).coeffs());
-    case Kind::rotation_matrix:
-      return joined(by_rows(g.rotation(angle).matrix()));
+    case Kind::rotation_matrix: {
+      const Eigen::Matrix3d R = g.rotation(angle).matrix();
+      if (layout.name != "A") return joined(by_rows(R));
+      Eigen::Matrix3d off = Eigen::Matrix3d::Identity();  // A is not quite a rotation
+      for (int i = 0; i < 9; ++i) off(i / 3, i % 3) += g.number() / 20;
+      return joined(by_rows(R * off));
+    }
     case Kind::tangent:
       return joined(g.vector(), g.of_length(angle));
     case Kind::pose:

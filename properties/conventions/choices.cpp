@@ -239,7 +239,7 @@ std::vector<Numbers> choice_arguments(const Operation& o) {
       if (Q[3] != 0) add(Q);
   if (o.name == "quaternion_product")
     for (const Four& Q : halves) add(Q, Four{0, 0.6, 0, -0.8});
-  if (o.name == "quaternion_from_matrix")
+  if (one_of(o, {"quaternion_from_matrix", "axis_angle_from_matrix"}))
     for (const Four& Q : halves)
       if (Q[3] != 0) add(matrix(Q));
   if (o.name == "quaternion_from_axis_angle")

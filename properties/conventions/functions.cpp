@@ -252,7 +252,9 @@ std::vector<Convention> conventions_of_representations() {
            " gram_schmidt "},
           {"the rotation of an axis and an angle is the inverse one", "change the sign of the angle", nullptr,
            [](const Operation& o, const Numbers& x, const Function& right) { return right(o, minus(x, 3)); },
-           " quaternion_from_axis_angle matrix_from_axis_angle "}};
+           " quaternion_from_axis_angle matrix_from_axis_angle "},
+          {"the derivatives are those by the measurements, not by the biases", "change their sign", nullptr,
+           minus_result, " forster_bias_jacobians brossard_bias_jacobians "}};
 }
 
 std::vector<Convention> conventions_of_transforms() {

@@ -18,7 +18,7 @@ Kind kind_of(const Layout& layout) {
   }
   if (layout.parts.size() == 2) {
     if (first.size == 9) return Kind::pose;
-    if (layout.parts[1].size == 1) return Kind::axis_angle;
+    if (first.name == "axis") return Kind::axis_angle;
     if (first.size == 2) return layout.parts[1].size == 2 ? Kind::planar_pose : Kind::planar_tangent;
     if (layout.parts[1].size == 4) return Kind::configuration;
     if (first.unit == "m") return Kind::tangent;

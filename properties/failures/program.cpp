@@ -19,9 +19,12 @@ std::string declaration(const Field& f, std::vector<std::string> x) {
   if (x.size() == 1) return fmt::format("  const S {} = {};  // {}\n", f.name, list, f.unit);
   if (f.size == 3 || f.size == 4)
     return fmt::format("  const Vector{}<S> {}({});  // {}\n", x.size(), f.name, list, f.unit);
-  const bool matrix = f.kind == Kind::rotation_matrix || f.kind == Kind::inertia;
-  const std::string type =
-      matrix ? "Matrix3<S> " + f.name : fmt::format("Eigen::Matrix<S, {}, 1> {}", f.size, f.name);
+  const bool matrix =
+      f.kind == Kind::rotation_matrix || f.kind == Kind::near_rotation || f.kind == Kind::inertia;
+  const std::string type = matrix ? "Matrix3<S> " + f.name
+                           : f.kind == Kind::covariance
+                               ? "Matrix6<S> " + f.name
+                               : fmt::format("Eigen::Matrix<S, {}, 1> {}", f.size, f.name);
   return fmt::format("  {};  // {}\n  {} << {};\n", type, f.unit, f.name, list);
 }
 

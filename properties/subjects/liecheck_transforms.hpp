@@ -110,8 +110,5 @@ void LiecheckTransforms<S>::add(O& o) {
   add_transforms(o);
   add_navigation(o);
 }
-// liecheck_transforms_float.cpp and liecheck_transforms_double.cpp compile them.
-extern template void LiecheckTransforms<float>::add(O&);
-extern template void LiecheckTransforms<double>::add(O&);
 
 }  // namespace liecheck::properties
