@@ -247,7 +247,7 @@ class TreeCheck {
         std::ranges::copy(argument(*layout, *x, *other, seen), std::back_inserter(arguments));
       right.push_back(reference(arguments));
       inputs.insert(inputs.end(), arguments.begin(), arguments.end());
-      if (o.name.starts_with("frame_"))
+      if (of_frame(o))
         inputs.insert(inputs.end(), model_.frame().begin(), model_.frame().end());
     }
     const OperationSizes sizes = model_.sizes(o);

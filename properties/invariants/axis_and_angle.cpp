@@ -27,7 +27,7 @@ class AxisAndAngle final : public SlowLaw<AxisAndAngle> {
       .fields = {{"Q", Kind::quaternion, 4, "1"},
                  {"R", Kind::rotation_matrix, 9, "1"},
                  {"axis", Kind::direction, 3, "1"},
-                 {"angle", Kind::angle, 1, "rad"}}};
+                 {"angle", Kind::angle, 1, "rad", Reach::any}}};
 
   template <class S>
   std::vector<S> draw(Source& source) const {

@@ -22,9 +22,9 @@ class Means final : public SlowLaw<Means> {
       .fields = {{"p0", Kind::vector, 3, "m", Reach::any},
                  {"Q0", Kind::quaternion, 4, "1"},
                  {"p1", Kind::vector, 3, "m", Reach::any},
-                 {"Q1", Kind::quaternion, 4, "1"},
+                 {"Q1", Kind::quaternion, 4, "1", Reach::any},
                  {"p2", Kind::vector, 3, "m", Reach::any},
-                 {"Q2", Kind::quaternion, 4, "1"},
+                 {"Q2", Kind::quaternion, 4, "1", Reach::any},
                  {"weights", Kind::positive, 3, "1", Reach::any}}};
 
   /// Rotations near each other, within 2 rad, opposite in sign, or any; weights equal or up to 256 times each other.

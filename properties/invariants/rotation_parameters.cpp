@@ -20,7 +20,7 @@ class RotationParameters final : public Law<RotationParameters> {
       .equation = "g = tan(theta/2) n = v/w; s = tan(theta/4) n = v/(1 + w), |s| <= 1 with w >= 0",
       .source = "Shuster 1993, A survey of attitude representations",
       .outputs = {to_gibbs, to_mrp, of_gibbs[0], of_gibbs[1], of_mrp[0], of_mrp[1]},
-      .fields = {{"Q", Kind::quaternion, 4, "1"},
+      .fields = {{"Q", Kind::quaternion, 4, "1", Reach::any},
                  {"gibbs", Kind::vector, 3, "1", Reach::any},
                  {"mrp", Kind::vector, 3, "1", Reach::any}}};
 
