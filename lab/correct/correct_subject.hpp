@@ -177,7 +177,7 @@ struct CorrectSubject : Correct<S, Style> {
     return nine(adjoint(pose(X, 9)), adjoint(pose(X, 12)));
   }
 
-  // Preintegration: a measurement of 1/256 of its time by a series, doubled eight times, with the derivative along one bias.
+  // Preintegration: a measurement of 1/16 of its time by a series, doubled four times, with the derivative along one bias.
   using X33 = Mat<W, 3>;
   struct Increment {
     X33 R = X33::Identity(), dR = X33::Zero();
@@ -191,12 +191,12 @@ struct CorrectSubject : Correct<S, Style> {
     }
   };
   static Increment measured(const X3& phi, const X3& dphi, const X3& a, const X3& da, W dt, bool exact) {
-    const W h = dt / 256;
-    const X33 K = hat<W>(X3(phi / 256)), D = hat<W>(X3(dphi / 256));
+    const W h = dt / 16;
+    const X33 K = hat<W>(X3(phi / 16)), D = hat<W>(X3(dphi / 16));
     Increment s;
     X33 term = X33::Identity(), change = X33::Zero();
     s.v = h * a, s.dv = h * da, s.p = h * h / 2 * a, s.dp = h * h / 2 * da;
-    for (int k = 1; k < 12; ++k) {
+    for (int k = 1; k < 18; ++k) {
       change = ((D * term + K * change) / k).eval(), term = (K * term / k).eval();
       s.R += term, s.dR += change;
       if (!exact) continue;
@@ -205,7 +205,7 @@ struct CorrectSubject : Correct<S, Style> {
       s.p += h * h / ((k + 1) * (k + 2)) * x, s.dp += h * h / ((k + 1) * (k + 2)) * dx;
     }
     W t = h;
-    for (int i = 0; i < 8; ++i, t *= 2) {
+    for (int i = 0; i < 4; ++i, t *= 2) {
       const Increment half = s;
       s = half.then(half, t);
       if (!exact) s.v = 2 * half.v, s.dv = 2 * half.dv, s.p = 4 * half.p, s.dp = 4 * half.dp;

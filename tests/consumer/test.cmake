@@ -79,7 +79,7 @@ expect("perhaps  the sign of w near pi")
 run(${campaign} 1000 --adapter "/usr/bin/python3 ${SOURCE}/python/adapter.py")
 expect_four_faults()
 run(${WORK}/prefix/bin/liecheck campaign --rules 0 --cases 1)
-expect("--rules: unknown version '0'; known: 3")
+expect("--rules: unknown version '0'; known: 4")
 run(${WORK}/prefix/bin/liecheck compare --rules 4 present)
 expect("rules 4 and present: 0 differences")
 

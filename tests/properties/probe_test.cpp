@@ -186,6 +186,19 @@ TEST(Probe, NamesAConversionOfOneSideOnly) {
       "exchange their halves: the linear part comes first\n");
 }
 
+TEST(Probe, TakesAnAxisAndItsAngleAsOneTurn) {
+  const Places pairs = {{"axis_angle_from_quaternion", 0}, {"axis_angle_from_matrix", 0}};
+  Library l = correct();
+  change_results(l, pairs, [](double* x) {
+    for (int i = 0; i < 4; ++i) x[i] = -x[i];
+  });
+  EXPECT_EQ(findings(l), "");
+  change_results(l, pairs, [](double* x) { x[3] += 8 * std::atan(1.0); });
+  EXPECT_EQ(findings(l), "");
+  change_results(l, pairs, [](double* x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
+  EXPECT_NE(findings(l), "") << "the inverse rotation";
+}
+
 TEST(Probe, SaysWhichConventionsTheAnswersDoNotTellApart) {
   Library l = only({"exp3_matrix"});
   columns(l);

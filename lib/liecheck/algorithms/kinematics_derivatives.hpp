@@ -32,7 +32,9 @@ void computeForwardKinematicsDerivatives(const Model<S>& model, Data<S>& data, I
   MotionRates<S>& rates = data.motion_rates.write(Level::Acceleration);
   auto& work = data.work;
   rates.columns.resize(24, model.ncolumns), rates.columns.swap(work.rates);
-  const auto exchange = [n = model.joints.size()](auto& a, auto& b) { a.resize(n, b[0]), a.swap(b); };
+  const auto exchange = [n = model.joints.size()](auto& to, auto& from) {
+    to.resize(n, from[0]), to.swap(from);
+  };
   exchange(rates.velocity, work.bias), exchange(rates.acceleration, work.gravitated),
       exchange(rates.from_root, work.r);
 }

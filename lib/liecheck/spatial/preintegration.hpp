@@ -47,15 +47,15 @@ struct Integral {
         each<S>([&](int i) { return mul_add(s1, once[i], S(s2 * twice[i] - S(2) * c2 * a[i])); });
     value = each<S>([&](int i) { return mul_add(first, a[i], mul_add(c1, once[i], S(c2 * twice[i]))); });
     const auto fill =
-        [](const S& d0, const S& d1, const S& d2, const S& c, const Vector3<S>& v, const Vector3<S>& x,
+        [](const S& d0, const S& d1, const S& d2, const S& by, const Vector3<S>& v, const Vector3<S>& x,
            const Vector3<S>& y, const Vector3<S>& z, const Vector3<S>& w) __attribute__((always_inline)) {
-      // diag(d) + c [v] + x y^T + z w^T
+      // diag(d) + by [v] + x y^T + z w^T
       const auto entry = [&](int i, int j, const S& n) __attribute__((always_inline)) {
         return mul_add(x[i], y[j], mul_add(z[i], w[j], n));
       };
-      const S s0 = c * v[0], s1 = c * v[1], s2 = c * v[2];
-      return rows<S>(entry(0, 0, d0), entry(0, 1, S(-s2)), entry(0, 2, s1), entry(1, 0, s2), entry(1, 1, d1),
-                     entry(1, 2, S(-s0)), entry(2, 0, S(-s1)), entry(2, 1, s0), entry(2, 2, d2));
+      const S v0 = by * v[0], v1 = by * v[1], v2 = by * v[2];
+      return rows<S>(entry(0, 0, d0), entry(0, 1, S(-v2)), entry(0, 2, v1), entry(1, 0, v2), entry(1, 1, d1),
+                     entry(1, 2, S(-v0)), entry(2, 0, S(-v1)), entry(2, 1, v0), entry(2, 2, d2));
     };
     const S xx = moved[0] * phi[0], yy = moved[1] * phi[1], zz = moved[2] * phi[2];
     const auto quadratic = [&](int i, int j) __attribute__((always_inline)) {
