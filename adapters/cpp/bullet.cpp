@@ -128,6 +128,13 @@ struct Bullet : BulletMath<Library> {
                  "btVector3 v({phi}), n = v.isZero() ? btVector3(1, 0, 0) : v;\n"
                  "btMatrix3x3 R(btQuaternion(n, v.length()));",
                  "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
+        {"quaternion_from_matrix",
+         PROGRAM("LinearMath/btTransformUtil.h", "btQuaternion q; btMatrix3x3({R}).getRotation(q);",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"axis_angle_from_quaternion",
+         PROGRAM("LinearMath/btTransformUtil.h", "btQuaternion q({Q}); btVector3 n = q.getAxis();",
+                 "n.x(), n.y(), n.z(), q.getAngle()")},
+        {"angle_between", PROGRAM("LinearMath/btTransformUtil.h", "btVector3 a({a}), b({b});", "a.angle(b)")},
         {"normalize", PROGRAM("LinearMath/btTransformUtil.h",
                               "btQuaternion q({Q});\n"
                               "q.normalize();",
@@ -158,4 +165,6 @@ struct Bullet : BulletMath<Library> {
 LIECHECK_ADAPTER(Bullet, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
                  act_point, rotate_point, normalize, act_motion, act_force, act_inverse_motion,
                  act_inverse_force, cross_motion, cross_force, relative_angle, slerp, rotation_between,
-                 euler_to_quaternion, euler_to_matrix, euler_from_quaternion, euler_from_matrix)
+                 euler_to_quaternion, euler_to_matrix, euler_from_quaternion, euler_from_matrix,
+                 quaternion_from_matrix, matrix_from_quaternion, quaternion_product, quaternion_inverse,
+                 axis_angle_from_quaternion, quaternion_from_axis_angle, angle_between)

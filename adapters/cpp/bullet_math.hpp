@@ -45,6 +45,25 @@ struct BulletMath {
   static void rotation_between(In<S, 6> x, Out<S, 4> y) {
     put(shortestArcQuat(vector(&x[0]), vector(&x[3])), &y[0]);
   }
+  static void quaternion_from_matrix(In<S, 9> R, Out<S, 4> Q) {
+    Quaternion q;
+    matrix(&R[0]).getRotation(q);
+    put(q, &Q[0]);
+  }
+  static void matrix_from_quaternion(In<S, 4> Q, Out<S, 9> R) { put(Matrix(quaternion(&Q[0])), &R[0]); }
+  static void quaternion_product(In<S, 8> x, Out<S, 4> y) {
+    put(quaternion(&x[0]) * quaternion(&x[4]), &y[0]);
+  }
+  static void quaternion_inverse(In<S, 4> Q, Out<S, 4> y) { put(quaternion(&Q[0]).inverse(), &y[0]); }
+  static void axis_angle_from_quaternion(In<S, 4> Q, Out<S, 4> y) {
+    const Quaternion q = quaternion(&Q[0]);
+    put(q.getAxis(), &y[0]);
+    y[3] = q.getAngle();
+  }
+  static void quaternion_from_axis_angle(In<S, 4> x, Out<S, 4> y) {
+    put(Quaternion(vector(&x[0]), x[3]), &y[0]);
+  }
+  static void angle_between(In<S, 6> x, Out<S, 1> y) { y[0] = vector(&x[0]).angle(vector(&x[3])); }
   static void euler_to_quaternion(In<S, 4> x, Out<S, 4> y) {
     const auto [roll, pitch, yaw] = roll_pitch_yaw<S>(x);
     put(Library::quaternion_of(roll, pitch, yaw), &y[0]);

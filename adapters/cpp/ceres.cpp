@@ -45,7 +45,7 @@ struct Ceres {
     ceres::QuaternionRotatePoint(w_first(&x[0]).data(), &x[4], &y[0]);
   }
   template <class S>
-  static void quaternion_matrix(In<S, 4> Q, Out<S, 9> R) {
+  static void matrix_from_quaternion_any_norm(In<S, 4> Q, Out<S, 9> R) {
     ceres::QuaternionToRotation(w_first(&Q[0]).data(), ceres::RowMajorAdapter3x3(&R[0]));
   }
   static const char* source(std::string_view operation) {
@@ -67,7 +67,7 @@ struct Ceres {
                                 "using S = {scalar}; S phi[] = {{phi}}, R[9];\n"
                                 "ceres::AngleAxisToRotationMatrix(phi, ceres::RowMajorAdapter3x3(R));",
                                 "R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]")},
-        {"quaternion_matrix",
+        {"matrix_from_quaternion_any_norm",
          PROGRAM("ceres/rotation.h",
                  "using S = {scalar}; S Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]}, R[9];\n"
                  "ceres::QuaternionToRotation(q, ceres::RowMajorAdapter3x3(R));",
@@ -85,4 +85,4 @@ struct Ceres {
 }  // namespace
 
 LIECHECK_ADAPTER(Ceres, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point,
-                 rotate_point_any_norm, quaternion_matrix)
+                 rotate_point_any_norm, matrix_from_quaternion_any_norm)

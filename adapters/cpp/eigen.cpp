@@ -124,6 +124,42 @@ struct EigenGeometry {
   static void rotation_between(In<S, 6> x, Out<S, 4> y) {
     put(Quaternion<S>::FromTwoVectors(vector(&x[0]), vector(&x[3])), &y[0]);
   }
+  template <class S>
+  static void quaternion_from_matrix(In<S, 9> R, Out<S, 4> Q) {
+    put(Quaternion<S>(rotation(&R[0])), &Q[0]);
+  }
+  template <class S>
+  static void matrix_from_quaternion(In<S, 4> Q, Out<S, 9> R) {
+    put(Matrix<S>(quaternion(&Q[0]).toRotationMatrix()), &R[0]);
+  }
+  template <class S>
+  static void quaternion_product(In<S, 8> x, Out<S, 4> y) {
+    put(Quaternion<S>(quaternion(&x[0]) * quaternion(&x[4])), &y[0]);
+  }
+  template <class S>
+  static void quaternion_inverse(In<S, 4> Q, Out<S, 4> y) {
+    put(quaternion(&Q[0]).inverse(), &y[0]);
+  }
+  template <class S>
+  static void axis_angle_from_quaternion(In<S, 4> Q, Out<S, 4> y) {
+    const Eigen::AngleAxis<S> a(quaternion(&Q[0]));
+    put(Vector<S>(a.axis()), &y[0]);
+    y[3] = a.angle();
+  }
+  template <class S>
+  static void axis_angle_from_matrix(In<S, 9> R, Out<S, 4> y) {
+    const Eigen::AngleAxis<S> a(rotation(&R[0]));
+    put(Vector<S>(a.axis()), &y[0]);
+    y[3] = a.angle();
+  }
+  template <class S>
+  static void quaternion_from_axis_angle(In<S, 4> x, Out<S, 4> y) {
+    put(Quaternion<S>(Eigen::AngleAxis<S>(x[3], vector(&x[0]))), &y[0]);
+  }
+  template <class S>
+  static void matrix_from_axis_angle(In<S, 4> x, Out<S, 9> R) {
+    put(Matrix<S>(Eigen::AngleAxis<S>(x[3], vector(&x[0])).toRotationMatrix()), &R[0]);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion",
@@ -173,4 +209,7 @@ struct EigenGeometry {
 }  // namespace
 
 LIECHECK_ADAPTER(EigenGeometry, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
-                 act_point, rotate_point, normalize, relative_angle, slerp, rotation_between)
+                 act_point, rotate_point, normalize, relative_angle, slerp, rotation_between,
+                 quaternion_from_matrix, matrix_from_quaternion, quaternion_product, quaternion_inverse,
+                 axis_angle_from_quaternion, axis_angle_from_matrix, quaternion_from_axis_angle,
+                 matrix_from_axis_angle)

@@ -1,11 +1,15 @@
 // GLM: quaternions (exp, log, product with a vector) and 4 x 4 matrices, in float and double. Matrices have
 // columns.
 
+#define GLM_ENABLE_EXPERIMENTAL
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_common.hpp>
 #include <glm/ext/quaternion_exponential.hpp>
 #include <glm/ext/quaternion_geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtx/orthonormalize.hpp>
+#include <glm/gtx/rotate_vector.hpp>
+#include <glm/gtx/vector_angle.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <liecheck_adapter.hpp>
@@ -128,6 +132,47 @@ struct Glm {
     const Vec<S> angles = glm::eulerAngles(quaternion(&x[1]));
     put_roll_pitch_yaw<S>(x[0], in_range(angles.x), angles.y, angles.z, y);
   }
+  template <class S>
+  static void quaternion_from_matrix(In<S, 9> R, Out<S, 4> Q) {
+    put(glm::quat_cast(rotation(&R[0])), &Q[0]);
+  }
+  template <class S>
+  static void matrix_from_quaternion(In<S, 4> Q, Out<S, 9> R) {
+    put_rotation(glm::mat3_cast(quaternion(&Q[0])), &R[0]);
+  }
+  template <class S>
+  static void quaternion_product(In<S, 8> x, Out<S, 4> y) {
+    put(quaternion(&x[0]) * quaternion(&x[4]), &y[0]);
+  }
+  template <class S>
+  static void quaternion_inverse(In<S, 4> Q, Out<S, 4> y) {
+    put(glm::inverse(quaternion(&Q[0])), &y[0]);
+  }
+  template <class S>
+  static void axis_angle_from_quaternion(In<S, 4> Q, Out<S, 4> y) {
+    put(glm::axis(quaternion(&Q[0])), &y[0]);
+    y[3] = glm::angle(quaternion(&Q[0]));
+  }
+  template <class S>
+  static void quaternion_from_axis_angle(In<S, 4> x, Out<S, 4> y) {
+    put(glm::angleAxis(x[3], vector(&x[0])), &y[0]);
+  }
+  template <class S>
+  static void matrix_from_axis_angle(In<S, 4> x, Out<S, 9> R) {
+    put_rotation(glm::rotate(glm::mat<4, 4, S>(1), x[3], vector(&x[0])), &R[0]);
+  }
+  template <class S>
+  static void gram_schmidt(In<S, 9> A, Out<S, 9> R) {
+    put_rotation(glm::orthonormalize(rotation(&A[0])), &R[0]);
+  }
+  template <class S>
+  static void angle_between(In<S, 6> x, Out<S, 1> y) {
+    y[0] = glm::angle(vector(&x[0]), vector(&x[3]));
+  }
+  template <class S>
+  static void slerp_directions(In<S, 7> x, Out<S, 3> y) {
+    put(glm::slerp(vector(&x[0]), vector(&x[3]), x[6]), &y[0]);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion", PROGRAM("glm/ext.hpp",
@@ -139,6 +184,22 @@ struct Glm {
                  "using S = {scalar}; auto q = glm::quat_cast(glm::transpose(glm::mat<3, 3, S>({R})));\n"
                  "auto v = glm::log(q.w < 0 ? -q : q);",
                  "2 * v.x, 2 * v.y, 2 * v.z")},
+        {"quaternion_from_matrix",
+         PROGRAM("glm/ext.hpp",
+                 "using S = {scalar}; auto q = glm::quat_cast(glm::transpose(glm::mat<3, 3, S>({R})));",
+                 "q.x, q.y, q.z, q.w")},
+        {"axis_angle_from_quaternion", PROGRAM("glm/ext.hpp",
+                                               "using S = {scalar}; S Q[] = {{Q}}; glm::qua<S> q(Q[3], Q[0], "
+                                               "Q[1], Q[2]); auto n = glm::axis(q);",
+                                               "n.x, n.y, n.z, glm::angle(q)")},
+        {"angle_between",
+         "#define GLM_ENABLE_EXPERIMENTAL\n" PROGRAM(
+             "glm/gtx/vector_angle.hpp", "using V = glm::vec<3, {scalar}>;", "glm::angle(V({a}), V({b}))")},
+        {"slerp_directions",
+         "#define GLM_ENABLE_EXPERIMENTAL\n" PROGRAM(
+             "glm/gtx/rotate_vector.hpp",
+             "using S = {scalar}; using V = glm::vec<3, S>; auto v = glm::slerp(V({a}), V({b}), S({t}));",
+             "v.x, v.y, v.z")},
         {"exp3_quaternion", PROGRAM("glm/ext.hpp",
                                     "using S = {scalar}; glm::vec<3, S> phi({phi});\n"
                                     "auto q = glm::exp(glm::qua<S>(0, phi / S(2)));",
@@ -179,4 +240,6 @@ struct Glm {
 
 LIECHECK_ADAPTER(Glm, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse, act_point,
                  rotate_point, normalize, relative_angle, slerp, rotation_between, euler_to_quaternion,
-                 euler_from_quaternion)
+                 euler_from_quaternion, quaternion_from_matrix, matrix_from_quaternion, quaternion_product,
+                 quaternion_inverse, axis_angle_from_quaternion, quaternion_from_axis_angle,
+                 matrix_from_axis_angle, gram_schmidt, angle_between, slerp_directions)

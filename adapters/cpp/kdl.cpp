@@ -97,6 +97,20 @@ struct Kdl {
             Rotation::Quaternion(x[4], x[5], x[6], x[7]))
                .GetRotAngle(axis);
   }
+  static void quaternion_from_matrix(In<double, 9> R, Out<double, 4> Q) {
+    rotation(&R[0]).GetQuaternion(Q[0], Q[1], Q[2], Q[3]);
+  }
+  static void matrix_from_quaternion(In<double, 4> Q, Out<double, 9> R) {
+    put(Rotation::Quaternion(Q[0], Q[1], Q[2], Q[3]), &R[0]);
+  }
+  static void axis_angle_from_matrix(In<double, 9> R, Out<double, 4> y) {
+    Vector axis;
+    y[3] = rotation(&R[0]).GetRotAngle(axis);
+    put(axis, &y[0]);
+  }
+  static void matrix_from_axis_angle(In<double, 4> x, Out<double, 9> R) {
+    put(Rotation::Rot2(vector(&x[0]), x[3]), &R[0]);
+  }
   static void euler_to_matrix(In<double, 4> x, Out<double, 9> y) {
     if (x[0] == 23) return put(Rotation::EulerZYZ(x[1], x[2], x[3]), &y[0]);  // Z Y Z with rotating axes
     const auto [roll, pitch, yaw] = roll_pitch_yaw<double>(x);
@@ -128,6 +142,12 @@ struct Kdl {
                                    "auto Q = KDL::Rotation::Quaternion; KDL::Vector axis;\n"
                                    "double angle = (Q({Q0}).Inverse() * Q({Q1})).GetRotAngle(axis);",
                                    "angle")},
+        {"quaternion_from_matrix",
+         PROGRAM("kdl/frames.hpp", "double x, y, z, w; KDL::Rotation({R}).GetQuaternion(x, y, z, w);",
+                 "x, y, z, w")},
+        {"axis_angle_from_matrix",
+         PROGRAM("kdl/frames.hpp", "KDL::Vector n; double angle = KDL::Rotation({R}).GetRotAngle(n);",
+                 "n.x(), n.y(), n.z(), angle")},
         {"euler_from_matrix", PROGRAM("kdl/frames.hpp",
                                       "double a, b, c; KDL::Rotation R({R});\n"
                                       "if ({order} == 23) R.GetEulerZYZ(a, b, c); else R.GetRPY(a, b, c);",
@@ -142,4 +162,5 @@ struct Kdl {
 LIECHECK_ADAPTER(Kdl, exp3_matrix, exp3_quaternion, log3_matrix, log3_quaternion, rotate_point, compose,
                  inverse, act_point, act_motion, act_inverse_motion, act_force, act_inverse_force,
                  cross_motion, cross_force, momentum, inertia_matrix, relative_angle, euler_to_matrix,
-                 euler_from_matrix)
+                 euler_from_matrix, quaternion_from_matrix, matrix_from_quaternion, axis_angle_from_matrix,
+                 matrix_from_axis_angle)

@@ -127,7 +127,7 @@ struct Liecheck {
             (Matrix<S, 7, 6>(liecheck::integrateCoeffWiseJacobianSE3<S>(configuration(x)))))
   OPERATION(normalize, 4, 4, (liecheck::SO3<S>(vector<4>(x)).normalized().to_vector()))
   OPERATION(first_order_normalize, 4, 4, (liecheck::SO3<S>(vector<4>(x)).firstOrderNormalized().to_vector()))
-  OPERATION(quaternion_matrix, 4, 9, (Matrix<S, 3, 3>(liecheck::SO3<S>(vector<4>(x)).matrix())))
+  OPERATION(matrix_from_quaternion_any_norm, 4, 9, (Matrix<S, 3, 3>(liecheck::SO3<S>(vector<4>(x)).matrix())))
   OPERATION(rotate_point_any_norm, 7, 3, (Vector<S, 3>(liecheck::SO3<S>(vector<4>(x)).act(vector<3>(x + 4)))))
   OPERATION(log3_any_norm, 4, 3, (liecheck::quaternion::log3<S>(liecheck::SO3<S>(vector<4>(x)))))
   OPERATION(integrate_any_norm, 13, 7,
@@ -148,5 +148,5 @@ LIECHECK_ADAPTER(Liecheck, exp3_quaternion, exp3_matrix, log3_quaternion, log3_m
                  left_jacobian3_inverse, right_jacobian3_inverse, left_jacobian6, right_jacobian6,
                  left_jacobian6_inverse, right_jacobian6_inverse, d_integrate_arg0, d_integrate_arg1,
                  d_difference_arg0, d_difference_arg1, integrate_coefficient_jacobian, normalize,
-                 first_order_normalize, quaternion_matrix, rotate_point_any_norm, log3_any_norm,
+                 first_order_normalize, matrix_from_quaternion_any_norm, rotate_point_any_norm, log3_any_norm,
                  integrate_any_norm, difference_any_norm, d_difference_any_norm)

@@ -47,8 +47,8 @@ struct Repaired {
     ::log3_any_norm(&Q[0], &phi[0]);
   }
   template <class S>
-  static void quaternion_matrix(In<S, 4> Q, Out<S, 9> R) {
-    ::quaternion_matrix(&Q[0], &R[0]);
+  static void matrix_from_quaternion_any_norm(In<S, 4> Q, Out<S, 9> R) {
+    ::matrix_from_quaternion_any_norm(&Q[0], &R[0]);
   }
 
   template <class S>
@@ -72,7 +72,7 @@ struct Repaired {
         {"log3_matrix", program("log3_matrix", 3, "R")},
         {"normalize", program("normalize", 4, "Q")},
         {"log3_any_norm", program("log3_any_norm", 3, "Q")},
-        {"quaternion_matrix", program("quaternion_matrix", 9, "Q")},
+        {"matrix_from_quaternion_any_norm", program("matrix_from_quaternion_any_norm", 9, "Q")},
         {"relative_angle", program("relative_angle", 1, "Q0}, {Q1")},
         {"slerp", program("slerp", 4, "Q0}, {Q1}, {t")},
         {"rotation_between", program("rotation_between", 4, "a}, {b")}};
@@ -84,4 +84,4 @@ struct Repaired {
 }  // namespace
 
 LIECHECK_ADAPTER(Repaired, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, normalize,
-                 log3_any_norm, quaternion_matrix, relative_angle, slerp, rotation_between)
+                 log3_any_norm, matrix_from_quaternion_any_norm, relative_angle, slerp, rotation_between)

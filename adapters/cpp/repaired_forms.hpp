@@ -67,9 +67,9 @@ void log3_any_norm(const S* Q, S* phi) {
   for (int i = 0; i < 3; ++i) phi[i] = k * (Q[i] / m);
 }
 
-// quaternion_matrix
+// matrix_from_quaternion_any_norm
 template <class S>
-void quaternion_matrix(const S* Q, S* R) {
+void matrix_from_quaternion_any_norm(const S* Q, S* R) {
   const S m = std::max({std::abs(Q[0]), std::abs(Q[1]), std::abs(Q[2]), std::abs(Q[3])});
   const S x = Q[0] / m, y = Q[1] / m, z = Q[2] / m, w = Q[3] / m, s = 2 / (x * x + y * y + z * z + w * w);
   R[0] = 1 - s * (y * y + z * z), R[1] = s * (x * y - w * z), R[2] = s * (x * z + w * y);

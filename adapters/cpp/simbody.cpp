@@ -85,7 +85,7 @@ struct Simbody {
     put(Rotation(quaternion(&x[0])) * vector(&x[4]), &y[0]);
   }
   static void normalize(In<double, 4> Q, Out<double, 4> y) { put(quaternion(&Q[0]).asVec4(), &y[0]); }
-  static void quaternion_matrix(In<double, 4> Q, Out<double, 9> R) {
+  static void matrix_from_quaternion_any_norm(In<double, 4> Q, Out<double, 9> R) {
     put_matrix(Rotation(quaternion(&Q[0])), &R[0]);
   }
   static void rotate_point_any_norm(In<double, 7> x, Out<double, 3> y) { rotate_point(x, y); }
@@ -169,7 +169,7 @@ struct Simbody {
                               "double Q[] = {{Q}};\n"
                               "SimTK::Quaternion q(Q[3], Q[0], Q[1], Q[2]);",
                               "q[1], q[2], q[3], q[0]")},
-        {"quaternion_matrix",
+        {"matrix_from_quaternion_any_norm",
          PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "double Q[] = {{Q}};\n"
                  "SimTK::Rotation R(SimTK::Quaternion(Q[3], Q[0], Q[1], Q[2]));",
@@ -190,6 +190,6 @@ struct Simbody {
 }  // namespace
 
 LIECHECK_ADAPTER(Simbody, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point, normalize,
-                 quaternion_matrix, rotate_point_any_norm, log3_any_norm, compose, inverse, act_point,
+                 matrix_from_quaternion_any_norm, rotate_point_any_norm, log3_any_norm, compose, inverse, act_point,
                  act_motion, act_force, act_inverse_motion, act_inverse_force, momentum, inertia_matrix,
                  euler_to_matrix, euler_from_matrix)

@@ -63,6 +63,14 @@ struct Tf2 : BulletMath<Library> {
                  "tf2::Vector3 v({phi}), n = v.isZero() ? tf2::Vector3(1, 0, 0) : v;\n"
                  "tf2::Matrix3x3 R(tf2::Quaternion(n, v.length()));",
                  "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
+        {"quaternion_from_matrix",
+         PROGRAM("tf2/LinearMath/Transform.h", "tf2::Quaternion q; tf2::Matrix3x3({R}).getRotation(q);",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"axis_angle_from_quaternion",
+         PROGRAM("tf2/LinearMath/Transform.h", "tf2::Quaternion q({Q}); tf2::Vector3 n = q.getAxis();",
+                 "n.x(), n.y(), n.z(), q.getAngle()")},
+        {"angle_between",
+         PROGRAM("tf2/LinearMath/Transform.h", "tf2::Vector3 a({a}), b({b});", "a.angle(b)")},
         {"normalize", PROGRAM("tf2/LinearMath/Transform.h",
                               "tf2::Quaternion q({Q});\n"
                               "q.normalize();",
@@ -89,4 +97,6 @@ struct Tf2 : BulletMath<Library> {
 
 LIECHECK_ADAPTER(Tf2, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse, act_point,
                  rotate_point, normalize, relative_angle, slerp, rotation_between, euler_to_quaternion,
-                 euler_to_matrix, euler_from_matrix)
+                 euler_to_matrix, euler_from_matrix, quaternion_from_matrix, matrix_from_quaternion,
+                 quaternion_product, quaternion_inverse, axis_angle_from_quaternion,
+                 quaternion_from_axis_angle, angle_between)

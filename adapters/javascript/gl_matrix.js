@@ -21,6 +21,11 @@ function log3_quaternion(Q) {
   return [2 * x, 2 * y, 2 * z];
 }
 
+function axis_angle_from_quaternion(Q) {
+  const axis = like(Q, 3), angle = quat.getAxisAngle(axis, Q);
+  return [...axis, angle];
+}
+
 const program = call => `const {glMatrix, mat3, quat} = require("gl-matrix");
 const A = "{scalar}" === "float" ? Float32Array : Array;
 glMatrix.setMatrixArrayType(A);
@@ -47,4 +52,17 @@ serve("gl-matrix", ["float", "double"], {
     program("console.log(...quat.slerp(new A(4), A.of({Q0}), A.of({Q1}), {t}));")],
   rotation_between: [x => quat.rotationTo(like(x, 4), x.slice(0, 3), x.slice(3)), 6, 4,
     program("console.log(...quat.rotationTo(new A(4), A.of({a}), A.of({b})));")],
+  quaternion_from_matrix: [R => quat.fromMat3(like(R, 4), columns(R)), 9, 4,
+    program("console.log(...quat.fromMat3(new A(4), mat3.transpose(new A(9), A.of({R}))));")],
+  matrix_from_quaternion: [Q => columns(mat3.fromQuat(like(Q, 9), Q)), 4, 9,
+    program("console.log(...mat3.transpose(new A(9), mat3.fromQuat(new A(9), A.of({Q}))));")],
+  quaternion_product: [x => quat.multiply(like(x, 4), x.slice(0, 4), x.slice(4)), 8, 4],
+  quaternion_inverse: [Q => quat.invert(like(Q, 4), Q), 4, 4],
+  axis_angle_from_quaternion: [axis_angle_from_quaternion, 4, 4,
+    program("const axis = new A(3), angle = quat.getAxisAngle(axis, A.of({Q}));\nconsole.log(...axis, angle);")],
+  quaternion_from_axis_angle: [x => quat.setAxisAngle(like(x, 4), x.slice(0, 3), x[3]), 4, 4],
+  angle_between: [x => [vec3.angle(x.slice(0, 3), x.slice(3))], 6, 1,
+    program("console.log(require(\"gl-matrix\").vec3.angle(A.of({a}), A.of({b})));")],
+  slerp_directions: [x => vec3.slerp(like(x, 3), x.slice(0, 3), x.slice(3, 6), x[6]), 7, 3,
+    program("console.log(...require(\"gl-matrix\").vec3.slerp(new A(3), A.of({a}), A.of({b}), {t}));")],
 });

@@ -55,7 +55,7 @@ def log3_any_norm(Q):
     return [k * x, k * y, k * z]
 
 
-def quaternion_matrix(Q):
+def matrix_from_quaternion_any_norm(Q):
     m = max(abs(x) for x in Q)
     x, y, z, w = (a / m for a in Q)
     s = 2 / (x * x + y * y + z * z + w * w)
@@ -94,7 +94,7 @@ serve("repaired_python", "1", {
     "log3_matrix": own(log3_matrix, 9, 3, "R"),
     "normalize": own(normalize, 4, 4, "Q"),
     "log3_any_norm": own(log3_any_norm, 4, 3, "Q"),
-    "quaternion_matrix": own(quaternion_matrix, 4, 9, "Q"),
+    "matrix_from_quaternion_any_norm": own(matrix_from_quaternion_any_norm, 4, 9, "Q"),
     "relative_angle": own(relative_angle, 8, 1, "Q0", "Q1"),
     "slerp": own(slerp, 9, 4, "Q0", "Q1", "t"),
 })

@@ -30,6 +30,16 @@ def log3_matrix(R):
     return angle * axis
 
 
+def axis_angle_from_quaternion(Q):
+    axis, angle = quaternions.quat2axangle(w_first(Q))
+    return [*axis, angle]
+
+
+def axis_angle_from_matrix(R):
+    axis, angle = axangles.mat2axangle(R.reshape(3, 3))
+    return [*axis, angle]
+
+
 ORDERS = "xyz xzy yxz yzx zxy zyx xyx xzx yxy yzy zxz zyz".split()
 
 
@@ -58,8 +68,20 @@ serve("transforms3d", transforms3d.__version__, {
     "log3_quaternion": (log3_quaternion, 4, 3, program(log_of, "print(*(angle * axis).tolist())")),
     "log3_matrix": (log3_matrix, 9, 3, program("axis, angle = axangles.mat2axangle(np.reshape([{R}], (3, 3)))", "print(*(angle * axis).tolist())")),
     "rotate_point": (lambda x: quaternions.rotate_vector(x[4:], w_first(x)), 7, 3),
+    "quaternion_from_matrix": (lambda R: np.roll(quaternions.mat2quat(R.reshape(3, 3)), -1), 9, 4,
+        program("w, x, y, z = quaternions.mat2quat(np.reshape([{R}], (3, 3))).tolist()", "print(x, y, z, w)")),
+    "matrix_from_quaternion": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9,
+        program("x, y, z, w = {Q}", "print(*quaternions.quat2mat([w, x, y, z]).ravel().tolist())")),
+    "quaternion_product": (lambda x: np.roll(quaternions.qmult(w_first(x[:4]), w_first(x[4:])), -1), 8, 4),
+    "quaternion_inverse": (lambda Q: np.roll(quaternions.qinverse(w_first(Q)), -1), 4, 4),
+    "axis_angle_from_quaternion": (axis_angle_from_quaternion, 4, 4,
+        program("x, y, z, w = {Q}", "axis, angle = quaternions.quat2axangle([w, x, y, z])", "print(*axis.tolist(), angle)")),
+    "axis_angle_from_matrix": (axis_angle_from_matrix, 9, 4,
+        program("axis, angle = axangles.mat2axangle(np.reshape([{R}], (3, 3)))", "print(*axis.tolist(), float(angle))")),
+    "quaternion_from_axis_angle": (lambda x: np.roll(quaternions.axangle2quat(x[:3], x[3]), -1), 4, 4),
+    "matrix_from_axis_angle": (lambda x: axangles.axangle2mat(x[:3], x[3]), 4, 9),
     # documented for quaternions that are not normalized
-    "quaternion_matrix": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9,
+    "matrix_from_quaternion_any_norm": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9,
         program("x, y, z, w = {Q}", "print(*quaternions.quat2mat([w, x, y, z]).ravel().tolist())")),
     "rotate_point_any_norm": (lambda x: quaternions.rotate_vector(x[4:], w_first(x), is_normalized=False), 7, 3),
     "log3_any_norm": (log3_quaternion, 4, 3, program(log_of, "print(*(angle * axis).tolist())")),

@@ -21,7 +21,8 @@ const std::vector<BugKind<S>>& kinds() {
        {B::exp_of_rotations(), B::log_of_rotations(), B::exp_and_log_of_poses(), B::jacobians(),
         B::integration(), B::differences(), B::configuration_derivatives(), B::robots(),
         B::points_motions_and_forces(), B::inertias(), B::dynamics_of_trees(), B::frames_of_trees(),
-        B::relative_rotations(), B::euler_angles(), B::rates_and_planar_poses()}},
+        B::relative_rotations(), B::euler_angles(), B::rates_and_planar_poses(), B::representations(),
+        B::transforms_and_means(), B::navigation(), B::derivatives_of_trees()}},
       {"alike:", "a look-alike", {B::look_alikes_of_rotations(), B::look_alikes_of_poses_and_bodies()}}};
   return all;
 }

@@ -51,6 +51,10 @@ struct Bugs : Types<S> {
   static Entries relative_rotations();
   static Entries euler_angles();
   static Entries rates_and_planar_poses();
+  static Entries representations();
+  static Entries transforms_and_means();
+  static Entries navigation();
+  static Entries derivatives_of_trees();
   static Entries look_alikes_of_rotations();
   static Entries look_alikes_of_poses_and_bodies();
 

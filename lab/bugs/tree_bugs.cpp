@@ -1,23 +1,9 @@
 // Known bugs in the dynamics of trees: liecheck's algorithms with one fault each, modelled on real reports.
 
-#include <bugs/planted_bugs.hpp>
-#include <subjects/liecheck_trees.hpp>
+#include <bugs/on_trees.hpp>
 
 namespace liecheck::properties {
 namespace {
-
-/// The subject has only liecheck's algorithms on trees, changed by `plant`.
-template <class S>
-std::function<void(TypedOperations<S>&)> on_trees(void (*plant)(TreeOperations<S>&, const Tree<S>&)) {
-  return [plant](TypedOperations<S>& o) {
-    o = {};
-    o.tree = [plant](const Tree<S>& tree) {
-      TreeOperations<S> faulty = liecheck_tree<S>(tree);
-      plant(faulty, tree);
-      return faulty;
-    };
-  };
-}
 
 template <class S>
 VecX<S> armature(const Tree<S>& tree) {

@@ -184,7 +184,9 @@ struct Correct : Types<S> {
     const X4 q = wide(Q);
     return narrow(X4(q * ((3 - q.squaredNorm()) / 2)));
   }
-  static M3 quaternion_matrix(const V4& Q) { return narrow(Style::matrix(Style::from_quaternion(unit(Q)))); }
+  static M3 matrix_from_quaternion_any_norm(const V4& Q) {
+    return narrow(Style::matrix(Style::from_quaternion(unit(Q))));
+  }
   static V3 rotate_point_any_norm(const V4& Q, const V3& x) { return rotate_point(normalize(Q), x); }
   static V3 log3_any_norm(const V4& Q) { return narrow(Style::log(unit(Q))); }
   static V7 integrate_any_norm(const V7& q, const V6& delta) {
@@ -319,49 +321,6 @@ struct Correct : Types<S> {
   }
 
   using Style6 = Basics<void, S>;
-
-  static TypedSubject<S> make(const char* name, const char* version) {
-    TypedSubject<S> s{std::string("correct:") + name, version, {}};
-    auto& o = s.operations;
-#define LIECHECK_OFFER(operation) o[op::operation] = operation
-    LIECHECK_OFFER(exp3_quaternion), LIECHECK_OFFER(exp3_matrix), LIECHECK_OFFER(log3_quaternion);
-    LIECHECK_OFFER(log3_matrix), LIECHECK_OFFER(exp6), LIECHECK_OFFER(log6), LIECHECK_OFFER(compose);
-    LIECHECK_OFFER(inverse), LIECHECK_OFFER(act_point), LIECHECK_OFFER(rotate_point);
-    LIECHECK_OFFER(act_motion), LIECHECK_OFFER(act_inverse_motion), LIECHECK_OFFER(act_force);
-    LIECHECK_OFFER(act_inverse_force), LIECHECK_OFFER(cross_motion), LIECHECK_OFFER(cross_force);
-    LIECHECK_OFFER(act_inertia), LIECHECK_OFFER(act_inverse_inertia), LIECHECK_OFFER(momentum);
-    LIECHECK_OFFER(kinetic_energy), LIECHECK_OFFER(inertia_matrix), LIECHECK_OFFER(integrate);
-    LIECHECK_OFFER(difference), LIECHECK_OFFER(left_jacobian3), LIECHECK_OFFER(right_jacobian3);
-    LIECHECK_OFFER(left_jacobian3_inverse), LIECHECK_OFFER(right_jacobian3_inverse);
-    LIECHECK_OFFER(left_jacobian6), LIECHECK_OFFER(right_jacobian6), LIECHECK_OFFER(left_jacobian6_inverse);
-    LIECHECK_OFFER(right_jacobian6_inverse), LIECHECK_OFFER(d_integrate_arg0);
-    LIECHECK_OFFER(d_integrate_arg1), LIECHECK_OFFER(d_difference_arg0), LIECHECK_OFFER(d_difference_arg1);
-    LIECHECK_OFFER(integrate_coefficient_jacobian), LIECHECK_OFFER(normalize);
-    LIECHECK_OFFER(first_order_normalize), LIECHECK_OFFER(quaternion_matrix), LIECHECK_OFFER(log3_any_norm);
-    LIECHECK_OFFER(rotate_point_any_norm), LIECHECK_OFFER(integrate_any_norm);
-    LIECHECK_OFFER(difference_any_norm), LIECHECK_OFFER(d_difference_any_norm);
-    LIECHECK_OFFER(relative_angle), LIECHECK_OFFER(twist_angle), LIECHECK_OFFER(slerp);
-    LIECHECK_OFFER(rotation_between), LIECHECK_OFFER(euler_to_quaternion), LIECHECK_OFFER(euler_to_matrix);
-    LIECHECK_OFFER(euler_from_quaternion), LIECHECK_OFFER(euler_from_matrix),
-        LIECHECK_OFFER(velocity_to_rate);
-    LIECHECK_OFFER(rate_to_velocity), LIECHECK_OFFER(se2_exp), LIECHECK_OFFER(se2_log);
-    LIECHECK_OFFER(se2_compose), LIECHECK_OFFER(se2_integrate), LIECHECK_OFFER(se2_difference);
-#undef LIECHECK_OFFER
-    return s;
-  }
-};
-
-/// Registers every style in S but that of correct_wide_*.cpp.
-template <class S>
-struct RegisteredStyles {
-  Registered<S> all[7] = {
-      Registered<S>(Correct<S, Quaternions<S>>::make("quaternions", "unit quaternions, half angles")),
-      Registered<S>(Correct<S, Matrices<S>>::make("matrices", "3 x 3 and 6 x 6 matrices")),
-      Registered<S>(Correct<S, DualQuaternions<S>>::make("dual_quaternions", "unit dual quaternions")),
-      Registered<S>(Correct<S, Books<S>>::make("books", "closed forms with series near 0")),
-      Registered<S>(Correct<S, RotationVectors<S>>::make("rodrigues", "rotation vectors")),
-      Registered<S>(Correct<S, Cayley<S>>::make("cayley", "Cayley transform of a quarter of the angle")),
-      Registered<S>(Correct<S, HalfAngles<S>>::make("half_angles", "matrices from half angles"))};
 };
 
 }  // namespace liecheck::properties::correct

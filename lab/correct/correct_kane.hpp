@@ -70,6 +70,33 @@ class KaneTree : TreeParts<S> {
     return A;
   }
 
+  S total_mass() const {
+    S sum(0);
+    for (const Rigid& b : bodies_) sum += b.mass;
+    return sum;
+  }
+  V3 center_of_mass(const X& q) const {
+    const State s = at(q, X::Zero(tree_.nv));
+    V3 sum = V3::Zero();
+    for (const Rigid& b : bodies_) sum += b.mass * (s[b.joint].o + s[b.joint].R * b.c);
+    return sum / total_mass();
+  }
+  /// C = sum_i m J_c^T J_c' + J_w^T (I (J_w' - [w] J_w) - [I w] J_w), so that M' = C + C^T.
+  M coriolis(const X& q, const X& v) const {
+    const State s = at(q, v);
+    M C = M::Zero(tree_.nv, tree_.nv);
+    for (const Rigid& b : bodies_) {
+      const Link& i = s[b.joint];
+      const V3 c = i.R * b.c, w = i.J_w * v;
+      const M3 I = i.R * b.I * i.R.transpose();
+      const Rows J_c = i.J_u - hat<S>(c) * i.J_w,
+                 J_c1 = i.J_u1 - hat<S>(c) * i.J_w1 - hat<S>(V3(w.cross(c))) * i.J_w;
+      C += b.mass * J_c.transpose() * J_c1 +
+           i.J_w.transpose() * (I * (i.J_w1 - hat<S>(w) * i.J_w) - hat<S>(V3(I * w)) * i.J_w);
+    }
+    return C;
+  }
+
   Pose<S> frame(const X& q) const { return Frame(*this, q, X::Zero(tree_.nv)).pose; }
   M frame_jacobian(const X& q, Seen seen) const {
     const Frame f(*this, q, X::Zero(tree_.nv));

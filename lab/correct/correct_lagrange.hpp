@@ -77,6 +77,17 @@ class DenseTree : TreeParts<S> {
     return A;
   }
 
+  S total_mass() const {
+    S sum(0);
+    for (const Rigid& b : bodies_) sum += b.mass;
+    return sum;
+  }
+  V3 center_of_mass(const X& q) const { return centre_of(at<S>(q, X::Zero(tree_.nv))); }
+  /// C = sum_i J_i^T (M_i J_i' + K_i J_i), where K_i x = x x* M_i V_i is skew, so that M' = C + C^T.
+  M coriolis(const X& q, const X& v) const;
+  std::pair<M, M> momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const;
+  std::pair<M, M> frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const;
+
   Pose<S> frame(const X& q) const { return frame_of(at<S>(q, X::Zero(tree_.nv))); }
   M frame_jacobian(const X& q, Seen seen) const {
     const State<S> s = at<S>(q, X::Zero(tree_.nv));
@@ -164,17 +175,74 @@ class DenseTree : TreeParts<S> {
     return tau;
   }
   M6 to_frame() const { return to_child<S>(rotation(tree_.frame_Q), vector(tree_.frame_p)); }
-  Pose<S> frame_of(const State<S>& s) const {
-    const Pose<S>& X = s.world[joint()];
-    return {X.R * rotation(tree_.frame_Q), X.R * vector(tree_.frame_p) + X.p};
+  template <class T>
+  Pose<T> frame_of(const State<T>& s) const {
+    const Pose<T>& X = s.world[joint()];
+    return {X.R * rotation(tree_.frame_Q).template cast<T>(),
+            X.R * vector(tree_.frame_p).template cast<T>() + X.p};
   }
-  static M6 seen_from(const Pose<S>& X, Seen seen) {
-    if (seen == Seen::local) return M6::Identity();
-    return to_parent<S>(X.R, seen == Seen::world ? X.p : V3(V3::Zero()));
+  template <class T>
+  static Mat<T, 6> seen_from(const Pose<T>& X, Seen seen) {
+    if (seen == Seen::local) return Mat<T, 6>::Identity();
+    return to_parent<T>(X.R, seen == Seen::world ? X.p : Vec<T, 3>(Vec<T, 3>::Zero()));
+  }
+  template <class T>
+  Vec<T, 3> centre_of(const State<T>& s) const {
+    Vec<T, 3> sum = Vec<T, 3>::Zero();
+    for (std::size_t i = 0; i < s.J.size(); ++i)
+      sum += T(bodies_[i].mass) * s.world[i].p + s.world[i].R * bodies_[i].moment.template cast<T>();
+    return T(1 / total_mass()) * sum;
+  }
+  /// The momenta of all bodies, or their rates, at the common centre of mass in world axes.
+  template <class T>
+  Vec<T, 6> momentum(const State<T>& s, const VecX<T>& v, const X& a, bool of_rate) const {
+    const Vec<T, 3> centre = centre_of(s);
+    Vec<T, 6> sum = Vec<T, 6>::Zero();
+    for (std::size_t i = 0; i < s.J.size(); ++i) {
+      const Mat<T, 6> I = bodies_[i].M.template cast<T>();
+      Vec<T, 6> h = I * s.V[i];
+      if (of_rate) {
+        const Vec<T, 6> A = s.J[i] * a.template cast<T>() + s.Jd[i] * v;
+        h = (I * A - ad(s.V[i]).transpose() * h).eval();
+      }
+      const auto& [R, p] = s.world[i];
+      const Vec<T, 3> f = R * h.template head<3>(), lever = p - centre;
+      sum += joined<T>(f, R * h.template tail<3>() + lever.cross(f));
+    }
+    return sum;
   }
 
   using B::armature_, B::columns_, B::gravity_, B::joint, B::rotation, B::tree_, B::vector;
   std::vector<Rigid> bodies_;
 };
+
+template <class S>
+auto DenseTree<S>::coriolis(const X& q, const X& v) const -> M {
+  const State<S> s = at<S>(q, v);
+  M C = M::Zero(tree_.nv, tree_.nv);
+  for (std::size_t i = 0; i < s.J.size(); ++i) {
+    const V6 h = bodies_[i].M * s.V[i];
+    const M3 f = hat<S>(h.template head<3>()), n = hat<S>(h.template tail<3>());
+    C += s.J[i].transpose() * (bodies_[i].M * s.Jd[i] + four<S>(M3::Zero(), -f, -f, -n) * s.J[i]);
+  }
+  return C;
+}
+template <class S>
+auto DenseTree<S>::momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const
+    -> std::pair<M, M> {
+  return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+    return VecX<D>(momentum<D>(at<D>(q, moving, moved), moving, a, of_rate));
+  });
+}
+template <class S>
+auto DenseTree<S>::frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const
+    -> std::pair<M, M> {
+  return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+    const State<D> s = at<D>(q, moving, moved);
+    const Vec<D, 6> motion =
+        acceleration ? Vec<D, 6>(s.J[joint()] * a.template cast<D>() + s.Jd[joint()] * moving) : s.V[joint()];
+    return VecX<D>(seen_from(frame_of(s), seen) * (to_frame().template cast<D>() * motion));
+  });
+}
 
 }  // namespace liecheck::properties::correct

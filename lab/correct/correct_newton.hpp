@@ -38,39 +38,84 @@ class NewtonTree : TreeParts<S> {
     });
   }
 
+  /// Of the momenta of all bodies, or of their rates, at the common centre of mass.
+  std::pair<M, M> momentum_derivatives(const X& q, const X& v, const X& a, bool of_rate) const {
+    return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+      const std::vector<Link<D>> links = this->template links<D>(q, moving, a, V3::Zero(), moved);
+      S mass(0);
+      V centre = V::Zero();
+      for (const auto& b : bodies_) mass += b.mass, centre += D(b.mass) * at(links[b.joint], b);
+      centre = (D(1 / mass) * centre).eval();
+      Vec<D, 6> sum = Vec<D, 6>::Zero();
+      for (const auto& b : bodies_) {
+        const Link<D>& i = links[b.joint];
+        const V c = b.c.template cast<D>(), moves = i.o1 + i.w.cross(c),
+                pushed = i.o2 + i.w1.cross(c) + i.w.cross(i.w.cross(c));
+        const Mat<D, 3> I = b.I.template cast<D>();
+        const V h = I * i.w, turn = of_rate ? V(I * i.w1 + i.w.cross(h)) : h,
+                f = i.world.R * V(D(b.mass) * (of_rate ? pushed : moves)), lever = at(i, b) - centre;
+        sum += joined<D>(f, i.world.R * turn + lever.cross(f));
+      }
+      return VecX<D>(sum);
+    });
+  }
+  std::pair<M, M> frame_derivatives(const X& q, const X& v, const X& a, Seen seen, bool acceleration) const {
+    return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+      const Link<D> i = this->template links<D>(q, moving, a, V3::Zero(), moved)[B::joint()];
+      const V r = B::vector(tree_.frame_p).template cast<D>(), u = i.o1 + i.w.cross(r),
+              o2 = i.o2 + i.w1.cross(r) + i.w.cross(i.w.cross(r));
+      V top = u, low = i.w;
+      if (acceleration) top = o2 - i.w.cross(u), low = i.w1;
+      Mat<D, 3> R = i.world.R;
+      if (seen == Seen::local) R = B::rotation(tree_.frame_Q).template cast<D>().transpose();
+      const V linear = R * top, angular = R * low, p = i.world.p + i.world.R * r;
+      return VecX<D>(joined<D>(seen == Seen::world ? V(linear + p.cross(angular)) : linear, angular));
+    });
+  }
+
  private:
   template <class T>
   struct Link {
-    Pose<T> X;            ///< in the parent's axes
-    Vec<T, 3> w, w1, o2;  ///< angular velocity and acceleration, acceleration of the origin
+    Pose<T> X;                ///< in the parent's axes
+    Vec<T, 3> w, w1, o1, o2;  ///< angular velocity and acceleration, velocity and acceleration of the origin
+    Pose<T> world;
     Vec<T, 3> f = Vec<T, 3>::Zero(), n = f;
   };
 
+  using V = Vec<D, 3>;
+  static V at(const Link<D>& link, const typename B::Centred& b) {
+    return link.world.p + link.world.R * b.c.template cast<D>();
+  }
   /// `up` is the acceleration of the world, -g.
   template <class T>
-  VecX<T> torque(const X& q, const VecX<T>& v, const X& a, const V3& up, int joint, const V6& F,
-                 const X& moved = {}) const {
+  std::vector<Link<T>> links(const X& q, const VecX<T>& v, const X& a, const V3& up, const X& moved) const {
     using V = Vec<T, 3>;
     std::vector<Link<T>> links;
-    const Link<T> world{{}, V::Zero(), V::Zero(), up.template cast<T>()};
-    const auto parent = [&](std::size_t i) -> const Link<T>& {
-      const int at = tree_.joints[i].parent;
-      return at < 0 ? world : links[static_cast<std::size_t>(at)];
-    };
+    const Link<T> world{
+        {}, V::Zero(), V::Zero(), V::Zero(), up.template cast<T>(), {Mat<T, 3>::Identity(), V::Zero()}};
     links.reserve(tree_.joints.size());
     for (std::size_t i = 0; i < tree_.joints.size(); ++i) {
-      const Link<T>& from = parent(i);
+      const int parent = tree_.joints[i].parent;
+      const Link<T>& from = parent < 0 ? world : links[static_cast<std::size_t>(parent)];
       const auto [R, p] = this->template displaced<T>(i, q, moved);
       const int first = tree_.idx_v[i], n = static_cast<int>(columns_[i].cols());
       const Columns<T> own = columns_[i].template cast<T>();
       const Vec<T, 6> rate = own * v.segment(first, n), change = own * a.segment(first, n).template cast<T>();
       const V u = rate.template head<3>(), turn = rate.template tail<3>(), w_p = R.transpose() * from.w,
               w = w_p + turn, pull = from.o2 + from.w1.cross(p) + from.w.cross(from.w.cross(p)),
-              both = w_p + w;
+              carried = from.o1 + from.w.cross(p), both = w_p + w;
       const V w1 = R.transpose() * from.w1 + change.template tail<3>() + w.cross(turn),
+              o1 = R.transpose() * carried + u,
               o2 = R.transpose() * pull + change.template head<3>() + both.cross(u);
-      links.push_back({{R, p}, w, w1, o2});
+      links.push_back({{R, p}, w, w1, o1, o2, {from.world.R * R, from.world.R * p + from.world.p}});
     }
+    return links;
+  }
+  template <class T>
+  VecX<T> torque(const X& q, const VecX<T>& v, const X& a, const V3& up, int joint, const V6& F,
+                 const X& moved = {}) const {
+    using V = Vec<T, 3>;
+    std::vector<Link<T>> links = this->template links<T>(q, v, a, up, moved);
     for (const auto& b : bodies_) {
       Link<T>& i = links[b.joint];
       const V c = b.c.template cast<T>(), f = T(b.mass) * V(i.o2 + i.w1.cross(c) + i.w.cross(i.w.cross(c)));

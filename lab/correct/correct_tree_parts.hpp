@@ -116,7 +116,7 @@ class TreeParts {
     }
     return X;
   }
-  /// The derivatives of torque(v, moved), where `moved` displaces the coordinates if it is not empty.
+  /// The derivatives of torque(v, moved), or of another vector, where `moved` displaces the coordinates if it is not empty.
   template <class Torque>
   std::pair<M, M> derivatives(const X& v, const Torque& torque) const {
     const auto of = [](const VecX<D>& tau) -> X {
@@ -124,10 +124,12 @@ class TreeParts {
       for (int k = 0; k < tau.size(); ++k) d[k] = tau[k].d;
       return d;
     };
-    M by_q(tree_.nv, tree_.nv), by_v = by_q;
+    M by_q, by_v;
     for (int k = 0; k < tree_.nv; ++k) {
       VecX<D> moving = v.template cast<D>();
-      by_q.col(k) = of(torque(moving, X(X::Unit(tree_.nv, k))));
+      const X change = of(torque(moving, X(X::Unit(tree_.nv, k))));
+      if (k == 0) by_q.resize(change.size(), tree_.nv), by_v = by_q;
+      by_q.col(k) = change;
       moving[k].d = S(1);
       by_v.col(k) = of(torque(moving, X()));
     }
@@ -195,6 +197,25 @@ TreeOperations<S> bind(const Tree<S>& tree) {
       const Factor<S> factor(t->mass(q));
       return {M(-factor.solve(by_q)), M(-factor.solve(by_v))};
     };
+    o[op::tree_static_torque] = [t, n = tree.nv](const X& q, int joint, const V6& F) -> X {
+      return t->rnea(q, X::Zero(n), X::Zero(n), joint, F);
+    };
+    o[op::static_torque_derivative] = [t, n = tree.nv](const X& q, int joint, const V6& F) -> M {
+      return t->rnea_derivatives(q, X::Zero(n), X::Zero(n), joint, F).first;
+    };
+    o[op::momentum_derivative] = [t](const X& q, const X& v) -> M {
+      return t->momentum_derivatives(q, v, v, false).first;
+    };
+    o[op::momentum_rate_derivatives] = [t](const X& q, const X& v, const X& a) -> std::pair<M, M> {
+      return t->momentum_derivatives(q, v, a, true);
+    };
+    o[op::frame_velocity_derivatives] = [t](const X& q, const X& v, Seen seen) -> std::pair<M, M> {
+      return t->frame_derivatives(q, v, v, seen, false);
+    };
+    o[op::frame_acceleration_derivatives] = [t](const X& q, const X& v, const X& a,
+                                                Seen seen) -> std::pair<M, M> {
+      return t->frame_derivatives(q, v, a, seen, true);
+    };
   }
   if constexpr (requires { &T::momentum_map; }) {
     o[op::tree_kinetic_energy] = with(&T::kinetic_energy);
@@ -211,6 +232,15 @@ TreeOperations<S> bind(const Tree<S>& tree) {
     };
     o[op::frame_jacobian] = with(&T::frame_jacobian);
     o[op::frame_jacobian_rate] = with(&T::frame_jacobian_rate);
+    o[op::tree_coriolis] = with(&T::coriolis);
+    o[op::tree_center_of_mass] = with(&T::center_of_mass);
+    o[op::tree_com_jacobian] = [t](const X& q) -> M {
+      return t->momentum_map(q).topRows(3) / t->total_mass();
+    };
+    o[op::operational_inertia] = [t](const X& q, Seen seen) -> Mat<S, 6> {
+      const M J = t->frame_jacobian(q, seen), x = Factor<S>(t->mass(q)).solve(M(J.transpose()));
+      return Factor<S>(M(J * x)).solve(M(M::Identity(6, 6)));
+    };
   }
   return o;
 }

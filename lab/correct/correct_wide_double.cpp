@@ -1,4 +1,4 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 
@@ -15,7 +15,7 @@ Vec<float128, 4> relative_any_norm(const Vec<double, 4>& Q0, const Vec<double, 4
 namespace {
 
 const Registered<double> in_double(
-    Correct<double, Quaternions<long double>>::make("wide", "quaternions in more digits"));
+    CorrectSubject<double, Quaternions<long double>>::make("wide", "quaternions in more digits"));
 
 }  // namespace
 }  // namespace liecheck::properties::correct

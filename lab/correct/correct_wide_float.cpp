@@ -1,10 +1,10 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 namespace {
 
-const Registered<float> in_float(Correct<float, Quaternions<double>>::make("wide",
-                                                                           "quaternions in more digits"));
+const Registered<float> in_float(
+    CorrectSubject<float, Quaternions<double>>::make("wide", "quaternions in more digits"));
 
 }  // namespace
 }  // namespace liecheck::properties::correct

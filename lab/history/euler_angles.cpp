@@ -72,9 +72,6 @@ double sine_of(const double& order, const M3& R) {
 bool at_lock(const double& order, const M3& R) {
   return !Axes(order).proper && std::abs(sine_of(order, R)) > 1 - 1e-10;
 }
-M3 matrix_of(const V4& Q) {
-  return Eigen::Quaterniond(Q).normalized().toRotationMatrix();
-}
 V4 product_of_turns(const double& order, const V3& x) {
   const Axes o(order);
   const auto turn = [&](int axis, double angle) {

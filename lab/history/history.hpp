@@ -121,6 +121,19 @@ inline double clamped_angle(const M3& R) {
 inline V3 log_by_pivot(const M3& R) {
   return log_by_atan2(quaternion_by_pivot(R));
 }
+inline V4 joined(const V3& v, double w) {
+  return {v[0], v[1], v[2], w};
+}
+inline V4 by_pivot(const M3& R) {
+  return quaternion_by_pivot(R).normalized();
+}
+inline V3 differences(const M3& R) {
+  return 2 * skew_part(R);
+}
+inline M3 matrix_of(const V4& Q) {
+  const M3 v = hat<double>(Q.head<3>());
+  return M3::Identity() + 2 / Q.squaredNorm() * (Q[3] * v + v * v);
+}
 }  // namespace history
 
 }  // namespace liecheck::properties

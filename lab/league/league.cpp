@@ -31,7 +31,7 @@ bool concerns(const std::string& question, const json& cell, const json& band) {
   if (question == "near-pi") return (axis == "pi_minus_theta" && high <= 1.5e-3) || name == "pi";
   if (question == "1e-8") return axis == "theta" && low <= 1e-8 && 1e-8 <= high;
   const bool any_norm =
-      operation.ends_with("_any_norm") || operation == "normalize" || operation == "quaternion_matrix";
+      operation.ends_with("_any_norm") || operation == "normalize";
   return any_norm == (question == "off-unit");
 }
 

@@ -11,6 +11,7 @@
 #include <invariants/arguments.hpp>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <operations/numbers.hpp>
 #include <rounding/subjects.hpp>
 #include <sstream>
@@ -200,6 +201,14 @@ struct PartSums {
   MeanSquare actual, estimated, without_exemption;
 };
 
+/// Of a result that may have either sign: with that of the exact result.
+Numbers signed_as(const Operation& operation, const Numbers& exact, Numbers x) {
+  if (operation.results[0]->frame.find("either sign") == std::string_view::npos) return x;
+  if (std::inner_product(x.begin(), x.end(), exact.begin(), 0.0) < 0)
+    for (double& number : x) number = -number;
+  return x;
+}
+
 void measure(const std::string& subject, const Tested& t, std::size_t band, const DigitsOptions& options,
              const std::function<void(const DigitsRow&)>& row) {
   Parts parts;
@@ -212,11 +221,16 @@ void measure(const std::string& subject, const Tested& t, std::size_t band, cons
     if (exact.empty() || (options.stop && *options.stop)) return;
     parts = parts_of(*t.operation, exact.size());
     sums.resize(parts.size());
-    const Numbers y = t.in_double(x);
+    const auto aligned = [&](std::vector<Numbers> samples) {
+      for (Numbers& s : samples) s = signed_as(*t.operation, exact, std::move(s));
+      return samples;
+    };
+    const Numbers y = signed_as(*t.operation, exact, t.in_double(x));
     rounding.exempt = true;
-    const auto samples = t.at_random ? samples_at_random(t, x, options.samples) : samples_by_mode(t, x);
+    const auto samples =
+        aligned(t.at_random ? samples_at_random(t, x, options.samples) : samples_by_mode(t, x));
     rounding.exempt = false;
-    const auto all_random = t.at_random ? samples_at_random(t, x, options.samples) : samples;
+    const auto all_random = t.at_random ? aligned(samples_at_random(t, x, options.samples)) : samples;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const auto& part = parts[p].second;
       const double size = size_of(exact, part);

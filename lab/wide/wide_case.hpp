@@ -168,5 +168,7 @@ inline V4 exp3(const V3& phi) {
 using Comparison = std::pair<const Operation*, wide_case::Compare>;
 /// Those of the operations between rotations and directions, of Euler angles, rates and poses in the plane.
 std::vector<Comparison> comparisons_of_orientations();
+/// Those of the representations of rotations, of adjoints, means and inertial navigation.
+std::vector<Comparison> comparisons_of_representations();
 
 }  // namespace liecheck::properties

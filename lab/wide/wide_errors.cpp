@@ -99,7 +99,7 @@ const Comparison comparisons[] = {
     {&op::normalize, against(&Case::unit, [](const V4& Q) { return oracles::normalized(Q); })},
     {&op::first_order_normalize,
      against(&Case::unit, [](const V4& Q) { return Wide((3 - squared_norm(Q)) / 2) * Q; })},
-    {&op::quaternion_matrix,
+    {&op::matrix_from_quaternion_any_norm,
      against(&Case::entries, [](const V4& Q) { return oracles::rotation_matrix(oracles::normalized(Q)); })},
     {&op::rotate_point_any_norm,
      against(&Case::point, [](const V4& Q, const V3& p) { return rotate(Q, p); })},
@@ -142,8 +142,8 @@ const Comparison comparisons[] = {
 void add_wide_errors(std::vector<BlockErrors>& blocks, const Operation& operation, double eps,
                      const WideNumbers& arguments, const WideNumbers& result) {
   std::vector<Comparison> all(std::begin(comparisons), std::end(comparisons));
-  const auto more = comparisons_of_orientations();
-  all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {comparisons_of_orientations(), comparisons_of_representations()})
+    all.insert(all.end(), more.begin(), more.end());
   for (const auto& [record, compare] : all)
     if (record == &operation) {
       const bool finite = std::ranges::all_of(result, [](const Wide& number) { return isfinite(number); });

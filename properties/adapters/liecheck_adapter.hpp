@@ -88,7 +88,10 @@ inline constexpr Poses all_poses[] = {{"exp6", 0, 1},
                                       {"act_force", 1, 0},
                                       {"act_inverse_force", 1, 0},
                                       {"act_inertia", 1, 0},
-                                      {"act_inverse_inertia", 1, 0}};
+                                      {"act_inverse_inertia", 1, 0},
+                                      {"adjoint", 1, 0},
+                                      {"coadjoint", 1, 0},
+                                      {"transport_covariance", 1, 0}};
 /// As (p, Q), a pose has 7 numbers in place of 12.
 constexpr Sizes sizes_of(std::string_view name, bool in_quaternions = false) {
   Sizes sizes = *find_sizes(name);

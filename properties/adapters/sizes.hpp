@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +32,7 @@ const OperationSizes* sizes_of(std::string_view operation);
 
 /// Whether an adapter can offer the operation: one of all_sizes(), or one on trees or robots.
 bool is_operation(std::string_view name);
+/// What to say of a name that is no operation; of a former name, the present one.
+std::string no_operation(std::string_view name);
 
 }  // namespace liecheck::properties::adapters

@@ -211,7 +211,7 @@ std::string register_as(const std::string& text, const std::string& name, bool i
   if (const std::string why = complaint_of_name(d.name); !why.empty()) refuse(why);
   for (const auto& [operation, scalar] : d.offered)
     if (!is_operation(operation))
-      refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
+      refuse(fmt::format("it offers '{}', which {}", operation, no_operation(operation)));
   if (d.offered.empty()) refuse("it offers no operation");
   for (const Subject* s : subjects(oracles::scalar_of<double>))
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
@@ -284,6 +284,13 @@ const OperationSizes* sizes_of(std::string_view operation) {
 
 bool is_operation(std::string_view name) {
   return sizes_of(name) || model_operation(name);
+}
+
+std::string no_operation(std::string_view name) {
+  if (name == "quaternion_matrix")
+    return "is now two operations: matrix_from_quaternion, and matrix_from_quaternion_any_norm, which "
+           "normalises";
+  return "is no operation; docs/operations.md lists them";
 }
 
 std::string register_adapter(const std::string& text, const std::string& name) {

@@ -122,19 +122,48 @@ std::string difference(const std::vector<double>& x, const std::vector<double>& 
   return "";
 }
 
+/// What an operation promises of its numbers: of a Coriolis matrix C, of which there are many, C v and C + C^T.
+std::vector<double> promised(const Operation& o, const std::vector<double>& x, const std::vector<double>& v) {
+  if (o.name != op::tree_coriolis.name) return x;
+  const std::size_t n = v.size();
+  std::vector<double> all(n);
+  for (std::size_t i = 0; i < n * n; ++i) {
+    all[i / n] += x[i] * v[i % n];
+    all.push_back(x[i] + x[i % n * n + i / n]);
+  }
+  return all;
+}
+
 /// What other convention makes the numbers right, in words, or "".
-std::string explanation(const Operation& o, std::vector<double> x, const std::vector<double>& right) {
+std::string explanation(const Operation& o, const std::vector<double>& x, const std::vector<double>& right,
+                        const std::vector<double>& v) {
   const Few<Part, 4>& parts = o.results[0]->parts;
-  const bool rows = parts[0].size == six_by_nv;
-  std::vector<double> other = x;
-  for (std::size_t k = 0; k < x.size(); ++k) other[k] = -x[k];
-  if (difference(other, right).empty()) return ": it has the opposite sign";
-  for (std::size_t k = 0; k < x.size(); ++k)
-    other[k] = rows ? x[k % (x.size() / 6) * 6 + k / (x.size() / 6)] : x[k];
-  if (difference(other, right).empty()) return ": it is stored column by column";
-  std::rotate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2), x.end());
-  const bool halves = rows || (parts.size() == 2 && parts[0].size == 3 && parts[1].size == 3);
-  return halves && difference(x, right).empty() ? ": its angular part comes first" : "";
+  const int shape = parts[0].size;
+  const bool two_vectors = parts.size() == 2 && shape == 3 && parts[1].size == 3;
+  const std::size_t n = two_vectors ? x.size() : x.size() / parts.size();  // the numbers of one matrix
+  const std::size_t rows = shape == six_by_nv     ? 6
+                           : shape == three_by_nv ? 3
+                           : shape == nv_by_nv    ? static_cast<std::size_t>(std::sqrt(double(n)) + 0.5)
+                                                  : 0;
+  // `from`: the place, in each matrix, of its number i.
+  const auto is = [&](const auto& from, double sign = 1) {
+    std::vector<double> other = x;
+    for (std::size_t i = 0; i < x.size(); ++i) other[i] = sign * x[from(i)];
+    return difference(promised(o, other, v), promised(o, right, v)).empty();
+  };
+  const auto in_each = [n](const auto& from) {
+    return [n, from](std::size_t i) { return i / n * n + from(i % n); };
+  };
+  const std::size_t columns = rows ? n / rows : 0;
+  if (is([](std::size_t i) { return i; }, -1)) return ": it has the opposite sign";
+  if (rows > 0 && is(in_each([&](std::size_t i) { return i % columns * rows + i / columns; })))
+    return rows == columns ? ": it is transposed" : ": it is stored column by column";
+  if ((two_vectors || rows == 6) && is(in_each([n](std::size_t i) { return (i + n / 2) % n; })))
+    return ": its angular part comes first";
+  const std::size_t half = x.size() / 2;
+  return parts.size() == 2 && !two_vectors && is([&](std::size_t i) { return (i + half) % x.size(); })
+             ? fmt::format(": its two parts are exchanged, '{}' comes first", parts[0].name)
+             : "";
 }
 
 /// V x of the columns of J (6 x nv, row by row) for a velocity V = J v.
@@ -218,7 +247,7 @@ class TreeCheck {
         std::ranges::copy(argument(*layout, *x, *other, seen), std::back_inserter(arguments));
       right.push_back(reference(arguments));
       inputs.insert(inputs.end(), arguments.begin(), arguments.end());
-      if (o.name.starts_with("frame_"))
+      if (of_frame(o))
         inputs.insert(inputs.end(), model_.frame().begin(), model_.frame().end());
     }
     const OperationSizes sizes = model_.sizes(o);
@@ -240,11 +269,13 @@ class TreeCheck {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto x = std::span(single).subspan(k * sizes.results, sizes.results);
       const std::vector<double> got(x.begin(), x.end());
-      std::string wrong = difference(got, right[k]);
+      const State& at = k == 0 ? first_ : second_;
+      std::string wrong = difference(promised(o, got, at.v), promised(o, right[k], at.v));
       if (wrong.empty()) continue;
-      wrong += explanation(o, got, right[k]);
+      if (o.name == op::tree_coriolis.name) wrong = "C v or C + C^T is wrong";
+      wrong += explanation(o, got, right[k], at.v);
       if (seen == Seen::local && o.name == op::frame_jacobian_rate.name)
-        wrong += without_own_velocity(k == 0 ? first_ : second_, got, right[k]);
+        wrong += without_own_velocity(at, got, right[k]);
       constexpr const char* references[] = {" in WORLD", " in LOCAL", " in LOCAL_WORLD_ALIGNED"};
       findings_.push_back({false,
                            fmt::format("{} {}{}: {}", o.name, where_,

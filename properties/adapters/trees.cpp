@@ -10,14 +10,13 @@
 #include <support/json.hpp>
 
 namespace liecheck::properties::adapters {
+bool of_frame(const Operation& o) {
+  return o.name.starts_with("frame_") || o.name == op::operational_inertia.name;
+}
+
 namespace {
 
 using nlohmann::json;
-
-/// Whether the operation takes a frame.
-bool of_frame(const Operation& o) {
-  return o.name.starts_with("frame_");
-}
 
 /// Whether the operation takes a reference.
 bool sees(const Operation& o) {

@@ -20,6 +20,8 @@ const std::vector<std::string>& joint_names();
 const std::vector<const Operation*>& model_operations();
 /// One of them, or null.
 const Operation* model_operation(std::string_view name);
+/// Whether the operation takes a frame.
+bool of_frame(const Operation& operation);
 
 /// Where to send calls of a model, and how.
 using Route = std::function<Adapter&()>;

@@ -30,7 +30,7 @@ int check(const AdapterCheckFlags& f) try {
   }
   for (const auto& [operation, scalar] : d.offered)
     if (!adapters::is_operation(operation)) {
-      say("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
+      say("{:<32}{:<8}{}\n", operation, scalar, adapters::no_operation(operation));
       ++wrong;
     }
   for (const conventions::Finding& f : all.findings) say("{}\n", f.sentence);

@@ -124,7 +124,7 @@ const std::vector<std::string>& quantity_names() {
 
 bool takes(const Operation& o, Quantity q) {
   if (q == Quantity::quaternion_norm)
-    return o.name.ends_with("_any_norm") || o.name.ends_with("normalize") || o.name == "quaternion_matrix";
+    return o.name.ends_with("_any_norm") || o.name.ends_with("normalize");
   if (of_joints(o)) return q != Quantity::linear_velocity && q != Quantity::angular_velocity;
   if (q == Quantity::angle && (returns_angle(o) || compares(o))) return true;
   const std::string_view unit = units[static_cast<std::size_t>(q)];

@@ -40,8 +40,13 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
       return joined(g.of_length(angle));
     case Kind::quaternion:
       return joined(g.rotation(angle).coeffs());
-    case Kind::rotation_matrix:
-      return joined(by_rows(g.rotation(angle).matrix()));
+    case Kind::rotation_matrix: {
+      const Eigen::Matrix3d R = g.rotation(angle).matrix();
+      if (layout.name != "A") return joined(by_rows(R));
+      Eigen::Matrix3d off = Eigen::Matrix3d::Identity();  // A is not quite a rotation
+      for (int i = 0; i < 9; ++i) off(i / 3, i % 3) += g.number() / 20;
+      return joined(by_rows(R * off));
+    }
     case Kind::tangent:
       return joined(g.vector(), g.of_length(angle));
     case Kind::pose:
@@ -56,6 +61,23 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
       const Eigen::Matrix3d I_C = 4 * Eigen::Matrix3d::Identity() - r * r.transpose() / 2;
       return joined(std::array{2 + g.number() / 2}, c, I_C);
     }
+    case Kind::angle:
+      return {angle};
+    case Kind::parameters:
+      return joined(g.of_length(std::tan(angle / 4)));
+    case Kind::weights:
+      return {1 + g.number() / 2, 1 + g.number() / 2, 1 + g.number() / 2};
+    case Kind::covariance: {
+      Eigen::Matrix<double, 6, 6> L = Eigen::Matrix<double, 6, 6>::Identity();
+      for (int i = 1; i < 6; ++i) L(i, i - 1) = g.number(), L(i, 0) = g.number() / 2;
+      return joined(Eigen::Matrix<double, 6, 6>(L * L.transpose()));
+    }
+    case Kind::extended_pose:
+      return joined(by_rows(g.rotation(angle).matrix()), g.vector(), g.vector());
+    case Kind::extended_tangent:
+      return joined(g.vector(), g.vector(), g.of_length(angle));
+    case Kind::samples:
+      return joined(g.vector(), g.vector(), g.vector());
     case Kind::vector:
       return joined(g.vector());
     case Kind::direction:

@@ -17,7 +17,8 @@ using std::numbers::pi;
 using Numbers4 = Eigen::Vector4d;
 
 constexpr std::string_view of_sign = "quaternion sign", of_range = "angle range", of_lock = "gimbal lock",
-                           of_half_turn = "half turn", of_norm = "quaternion norm";
+                           of_half_turn = "half turn", of_norm = "quaternion norm",
+                           of_shadow = "modified Rodrigues parameters";
 
 bool one_of(const Operation& o, std::initializer_list<std::string_view> names) {
   return std::ranges::count(names, o.name) > 0;
@@ -59,7 +60,18 @@ Numbers4 begins_at(const Operation& o, std::span<const double> x) {
   }
   if (o.name == "euler_to_quaternion") return quaternion_of_angles(x[0], x.subspan(1));
   if (one_of(o, {"integrate", "integrate_any_norm"})) return four_of(x, 3);
-  if (one_of(o, {"slerp", "normalize", "first_order_normalize"})) return four_of(x);
+  if (one_of(o, {"quaternion_from_axis_angle"}))
+    return turn(x[3], Eigen::Vector3d(x[0], x[1], x[2])).coeffs();
+  if (o.name == "quaternion_product") {
+    const auto quaternion = [&](std::size_t at) {
+      return Eigen::Quaterniond(x[at + 3], x[at], x[at + 1], x[at + 2]);
+    };
+    return (quaternion(0) * quaternion(4)).coeffs();
+  }
+  if (o.name == "quaternion_inverse") return Numbers4(-x[0], -x[1], -x[2], x[3]);
+  if (one_of(o, {"interpolate"})) return four_of(x, 3);
+  if (one_of(o, {"slerp", "normalize", "first_order_normalize", "mean_rotation", "geodesic_mean"}))
+    return four_of(x);
   return Numbers4::Zero();
 }
 
@@ -73,8 +85,10 @@ std::string broken_sign(std::string_view value, const Operation& o, std::span<co
   const double product = start.dot(Q);
   return product < -8 * epsilon * start.norm() * Q.norm()
              ? fmt::format("the product with {} is {:.6g}",
-                           one_of(o, {"exp3_quaternion", "euler_to_quaternion"})
+                           one_of(o, {"exp3_quaternion", "euler_to_quaternion", "quaternion_from_axis_angle"})
                                ? "the product of half angles"
+                           : one_of(o, {"quaternion_product", "quaternion_inverse"})
+                               ? "the quaternion of its formula"
                                : "its input",
                            product)
              : "";
@@ -83,6 +97,10 @@ std::string broken_sign(std::string_view value, const Operation& o, std::span<co
 std::string broken_range(std::string_view value, const Operation& o, std::span<const double> y,
                          double epsilon) {
   const Kind k = kind_of(*o.results[0]);
+  if (k == Kind::axis_angle) {  // -pi to pi: the shorter turn
+    const double most = value == "-pi to pi" ? pi : 2 * pi, slack = 4 * epsilon * pi;
+    return y[3] < -slack || y[3] > most + slack ? fmt::format("an angle is {:.6g}", y[3]) : "";
+  }
   if (k != Kind::euler_angles && o.name != "twist_angle") return "";
   const double low = value == "-pi to pi" ? -pi : 0, slack = 4 * epsilon * pi;
   for (std::size_t i = 0; i < y.size(); i += 2)
@@ -131,6 +149,15 @@ std::string broken_half_turn(std::string_view value, const Operation& o, std::sp
   return "";
 }
 
+std::string broken_shadow(std::string_view value, const Operation& o, std::span<const double> x,
+                          std::span<const double> y, double epsilon) {
+  if (o.name != "mrp_from_quaternion") return "";
+  const Eigen::Map<const Eigen::Vector3d> v(x.data()), s(y.data());
+  if (value == "at most 1")
+    return s.norm() > 1 + 16 * epsilon ? fmt::format("their length is {:.6g}", s.norm()) : "";
+  return v.dot(s) < 0 ? fmt::format("their product with the vector part is {:.6g}", v.dot(s)) : "";
+}
+
 std::string broken_norm(std::string_view value, const Operation& o, std::span<const double> x,
                         std::span<const double> y, double epsilon) {
   if (o.name != "integrate") return "";
@@ -148,7 +175,8 @@ const std::vector<Choice>& choices() {
       {of_range, {"-pi to pi", "0 to 2 pi", free_choice}},
       {of_lock, {"first is 0", "last is 0", free_choice}},
       {of_half_turn, {"as stored", "first number positive", "last number positive", free_choice}},
-      {of_norm, {"1", "kept", free_choice}}};
+      {of_norm, {"1", "kept", free_choice}},
+      {of_shadow, {"at most 1", "as stored", free_choice}}};
   return all;
 }
 
@@ -164,6 +192,7 @@ std::string broken_choice(std::string_view choice, std::string_view value, const
   if (choice == of_range) return broken_range(value, o, y, epsilon);
   if (choice == of_lock) return broken_lock(value, o, x, y, epsilon);
   if (choice == of_half_turn) return broken_half_turn(value, o, x, y);
+  if (choice == of_shadow) return broken_shadow(value, o, x, y, epsilon);
   return broken_norm(value, o, x, y, epsilon);
 }
 
@@ -205,6 +234,21 @@ std::vector<Numbers> choice_arguments(const Operation& o) {
     for (const double w : {0.8, -0.8}) add(Four{0, 0.6, 0, w}, Four{0.6, 0, 0, w}, std::array{0.25});
     for (const Four& Q : turns) add(Four{0, 0, 0, 1}, Q, std::array{0.5});
   }
+  if (one_of(o, {"axis_angle_from_quaternion", "mrp_from_quaternion", "quaternion_inverse"}))
+    for (const Four& Q : halves)
+      if (Q[3] != 0) add(Q);
+  if (o.name == "quaternion_product")
+    for (const Four& Q : halves) add(Q, Four{0, 0.6, 0, -0.8});
+  if (one_of(o, {"quaternion_from_matrix", "axis_angle_from_matrix"}))
+    for (const Four& Q : halves)
+      if (Q[3] != 0) add(matrix(Q));
+  if (o.name == "quaternion_from_axis_angle")
+    for (const double angle : {0.3, 2.1, -0.3, -2.1}) add(Three{1, 0, 0}, std::array{angle});
+  if (one_of(o, {"mean_rotation", "geodesic_mean"}))
+    for (const double w : {0.8, -0.8})
+      add(Four{0, 0.6, 0, w}, Four{0.6, 0, 0, 0.8}, Four{0, 0, 0, 1}, Three{1, 1, 1});
+  if (o.name == "interpolate")
+    for (const double w : {0.8, -0.8}) add(p, Four{0, 0.6, 0, w}, p, Four{0.6, 0, 0, 0.8}, std::array{0.25});
   if (o.name == "rotation_between")
     add(Three{1, 0, 0}, Three{0, 1, 0}), add(Three{1, 0, 0}, Three{-.8, .6, 0});
   if (o.name == "twist_angle") {

@@ -149,10 +149,12 @@ Numbers momentum_at_centre(const Operation& o, const Numbers& x, const Function&
 }
 
 std::vector<Convention> conventions_of_exponentials() {
-  constexpr auto right_is_left =
-                     " right_jacobian3 right_jacobian6 right_jacobian3_inverse right_jacobian6_inverse ",
-                 left_is_right =
-                     " left_jacobian3 left_jacobian6 left_jacobian3_inverse left_jacobian6_inverse ";
+  constexpr auto
+      right_is_left =
+          " right_jacobian3 right_jacobian6 right_jacobian3_inverse right_jacobian6_inverse "
+          "se23_right_jacobian ",
+      left_is_right =
+          " left_jacobian3 left_jacobian6 left_jacobian3_inverse left_jacobian6_inverse se23_left_jacobian ";
   return {{"log is that of the inverse", "change its sign, or its order of frames", nullptr, minus_result,
            " log3_quaternion log3_matrix log6 log3_any_norm "},
           {"exp is that of the opposite argument", "change the sign of its argument", nullptr, of_minus,
@@ -223,12 +225,77 @@ std::vector<Convention> conventions_of_spatial_algebra() {
        momentum_at_centre, " momentum "}};
 }
 
+/// The pose of x, R row by row and p, inverted.
+Numbers inverse_pose(const Numbers& x) {
+  Numbers all = x;
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[9 + i] = 0;
+    for (std::size_t j = 0; j < 3; ++j) all[3 * i + j] = x[3 * j + i], all[9 + i] -= x[3 * j + i] * x[9 + j];
+  }
+  return all;
+}
+Numbers transposed(const Numbers& x, std::size_t n) {
+  Numbers all = x;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) all[n * i + j] = x[n * j + i];
+  return all;
+}
+
+std::vector<Convention> conventions_of_representations() {
+  return {{"the product of quaternions is Q1 Q0", "exchange its arguments", nullptr, of_exchanged,
+           " quaternion_product "},
+          {"the rows of the matrix are made orthogonal, not its columns",
+           "transpose the matrix and the result", nullptr,
+           [](const Operation& o, const Numbers& x, const Function& right) {
+             return transposed(right(o, transposed(x, 3)), 3);
+           },
+           " gram_schmidt "},
+          {"the rotation of an axis and an angle is the inverse one", "change the sign of the angle", nullptr,
+           [](const Operation& o, const Numbers& x, const Function& right) { return right(o, minus(x, 3)); },
+           " quaternion_from_axis_angle matrix_from_axis_angle "},
+          {"the derivatives are those by the measurements, not by the biases", "change their sign", nullptr,
+           minus_result, " forster_bias_jacobians brossard_bias_jacobians "}};
+}
+
+std::vector<Convention> conventions_of_transforms() {
+  return {
+      {"the adjoint is that of the inverse pose", "invert the pose: Ad takes motions of B to A", nullptr,
+       [](const Operation& o, const Numbers& x, const Function& right) { return right(o, inverse_pose(x)); },
+       " adjoint coadjoint transport_covariance "},
+      {"the coadjoint is Ad^T", "it is Ad^-T: forces of B to forces of A", nullptr,
+       [](const Operation&, const Numbers& x, const Function& right) {
+         return transposed(right(operation_named("adjoint"), x), 6);
+       },
+       " coadjoint "},
+      {"the small adjoint is -ad^T, that of forces", "give the matrix of V x W of motions", nullptr,
+       [](const Operation& o, const Numbers& x, const Function& right) {
+         return transposed(minus(right(o, x)), 6);
+       },
+       " small_adjoint "},
+      {"the pitch of a screw is that of a whole turn", "divide it by 2 pi", nullptr,
+       [](const Operation& o, const Numbers& x, const Function& right) {
+         Numbers screw = right(o, x);
+         screw[3] *= 6.283185307179586;
+         return screw;
+       },
+       " screw_parameters "},
+      {"translation and rotation are interpolated apart",
+       "interpolate along the screw, T0 exp(t log(T0^-1 T1))", nullptr,
+       [](const Operation& o, const Numbers& x, const Function& right) {
+         Numbers q = right(o, x);
+         for (std::size_t i = 0; i < 3; ++i) q[i] = (1 - x[14]) * x[i] + x[14] * x[7 + i];
+         return q;
+       },
+       " interpolate "}};
+}
+
 }  // namespace
 
 std::vector<Convention> function_conventions() {
   std::vector<Convention> all;
   for (const auto& group :
-       {conventions_of_exponentials(), conventions_of_configurations(), conventions_of_spatial_algebra()})
+       {conventions_of_exponentials(), conventions_of_configurations(), conventions_of_spatial_algebra(),
+        conventions_of_representations(), conventions_of_transforms()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <conventions/reference.hpp>
 #include <conventions/table.hpp>
 #include <cstdint>
@@ -13,16 +14,32 @@
 #include <numbers>
 #include <optional>
 #include <oracles/ball_arithmetic.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace liecheck::properties::conventions {
 namespace {
 
-using Mask = std::uint64_t;  ///< a set of conventions
-constexpr Mask none = 0;
+/// A set of conventions.
+struct Mask {
+  std::uint64_t low = 0, high = 0;
+  auto operator<=>(const Mask&) const = default;
+  explicit operator bool() const { return low || high; }
+  Mask operator|(Mask o) const { return {low | o.low, high | o.high}; }
+  Mask operator&(Mask o) const { return {low & o.low, high & o.high}; }
+  Mask operator^(Mask o) const { return {low ^ o.low, high ^ o.high}; }
+  Mask operator~() const { return {~low, ~high}; }
+  int size() const { return std::popcount(low) + std::popcount(high); }
+  std::size_t first() const {
+    return static_cast<std::size_t>(low ? std::countr_zero(low) : 64 + std::countr_zero(high));
+  }
+};
+constexpr Mask none;
 
 Mask one(std::size_t convention) {
-  return Mask(1) << convention;
+  if (convention >= 128) throw std::logic_error("a set has at most 128 conventions");
+  const std::uint64_t bit = std::uint64_t(1) << (convention % 64);
+  return convention < 64 ? Mask{bit, 0} : Mask{0, bit};
 }
 
 /// The first part that is wrong by more than a thousandth of its size, and by more than a millionth, or null. Q and -Q are
@@ -52,7 +69,7 @@ const Layout& result_of(const Operation& o) {
 /// The right result where the functions in `set` have the meaning of their convention.
 Numbers meant(const Operation& o, const Numbers& arguments, Mask set) {
   if (!set) return reference(o, arguments);
-  const auto first = static_cast<std::size_t>(std::countr_zero(set));
+  const auto first = set.first();
   const Convention& c = conventions()[first];
   const Mask others = set & ~one(first);
   if (!c.formula || c.operations.find(fmt::format(" {} ", o.name)) == c.operations.npos)
@@ -69,15 +86,19 @@ void decode(const Operation& o, const Convention& c, Numbers& arguments, Numbers
   if (c.side != Side::arguments) c.decode(kind_of(result_of(o)), result);
 }
 
-/// Whether two triples of Euler angles of one order, the first argument, are the same rotation.
+/// Whether two triples of Euler angles of one order, the first argument, or two pairs of a unit axis and an angle are the same
+/// rotation.
 bool same_rotation(const Operation& o, const Numbers& arguments, const Numbers& a, const Numbers& b) {
-  if (kind_of(result_of(o)) != Kind::euler_angles) return false;
-  const Operation& to = operation_named("euler_to_quaternion");
-  const auto quaternion = [&](const Numbers& angles) {
-    return reference(to, {arguments[0], angles[0], angles[1], angles[2]});
+  const Kind kind = kind_of(result_of(o));
+  if (kind != Kind::euler_angles && kind != Kind::axis_angle) return false;
+  if (!std::ranges::all_of(a, [](double x) { return std::isfinite(x); })) return false;
+  const bool euler = kind == Kind::euler_angles;
+  if (!euler && !(std::fabs(std::hypot(a[0], a[1], a[2]) - 1) <= probe_tolerance)) return false;
+  const Operation& to = operation_named(euler ? "euler_to_quaternion" : "quaternion_from_axis_angle");
+  const auto quaternion = [&](const Numbers& x) {
+    return reference(to, euler ? Numbers{arguments[0], x[0], x[1], x[2]} : x);
   };
-  return std::ranges::all_of(a, [](double x) { return std::isfinite(x); }) &&
-         !wrong_part(result_of(to), quaternion(a), quaternion(b));
+  return !wrong_part(result_of(to), quaternion(a), quaternion(b));
 }
 
 bool explains_answer(const Operation& o, const Answer& answer, Mask set) try {
@@ -101,7 +122,7 @@ Mask affecting(const Operation& o) {
     decode(o, convention, x, y);
     const bool values = side == Side::both ? x != arguments || y != result : x != arguments && y != result;
     if (values || convention.operations.find(fmt::format(" {} ", o.name)) != std::string_view::npos)
-      set |= one(c);
+      set = set | one(c);
   }
   return set;
 }
@@ -136,7 +157,7 @@ class Search {
       for (std::size_t k = 0; k < all_.size(); ++k) {
         if (explains(k, common)) continue;
         for (const Mask set : few_[k])
-          if (std::popcount(common | set) <= most_common && std::ranges::count(commons, common | set) == 0 &&
+          if ((common | set).size() <= most_common && std::ranges::count(commons, common | set) == 0 &&
               explains(k, common | set))
             commons.push_back(common | set);
       }
@@ -144,11 +165,11 @@ class Search {
     return best;
   }
 
-  bool affects(std::size_t c, std::size_t k) const { return affecting_[k] & one(c); }
+  bool affects(std::size_t c, std::size_t k) const { return bool(affecting_[k] & one(c)); }
 
   /// Whether the conventions of `set` that affect operation k explain its answers.
   bool explains(std::size_t k, Mask set) {
-    set &= affecting_[k];
+    set = set & affecting_[k];
     const auto [at, is_new] = known_.try_emplace({k, set}, false);
     if (is_new)
       at->second = std::ranges::all_of(
@@ -171,7 +192,7 @@ class Search {
   /// The explanation by `common`, with deviations of single operations where they need it, and its cost.
   std::pair<Explanation, double> with(Mask common) {
     Explanation e(all_.size());
-    double cost = std::popcount(common);
+    double cost = common.size();
     for (std::size_t k = 0; k < all_.size(); ++k)
       if (explains(k, common)) e[k] = common & affecting_[k];
     const Explanation by_common = e;
@@ -180,7 +201,7 @@ class Search {
       double least = 4;  // unexplained
       for (const Mask set : few_[k]) {
         const Mask deviation = set ^ (common & affecting_[k]);
-        double here = 1.5 * std::popcount(deviation);
+        double here = 1.5 * deviation.size();
         if (here >= least || !explains(k, set)) continue;
         for (std::size_t c = 0; c < conventions().size(); ++c)
           if (deviation & set & one(c))

@@ -1,83 +1,12 @@
 #include <conventions/reference.hpp>
 
-#include <functional>
-#include <map>
-#include <oracles/ball_oracles.hpp>
+#include <conventions/formulas.hpp>
 #include <oracles/normalisation.hpp>
-#include <oracles/orientations.hpp>
 
 namespace liecheck::properties::conventions {
 namespace {
 
-using namespace oracles;
-
-/// Reads values one after the other. B is a ball, which proves that a result is accurate, or a Real.
-template <class B>
-class Reader {
- public:
-  explicit Reader(const std::vector<B>& numbers) : at_(numbers.data()), end_(at_ + numbers.size()) {}
-  template <class Value>
-  Value take() {
-    if constexpr (requires(Value v) { v.I_C; }) {
-      return {take<B>(), take<Vec3<B>>(), take<Mat3<B>>()};  // the braces evaluate in this order
-    } else if constexpr (requires(Value v) { v.R; }) {
-      return {take<Mat3<B>>(), take<Vec3<B>>()};
-    } else if constexpr (requires(Value v) { v.x; }) {
-      Value m;
-      for (B& x : m.x) x = next();
-      return m;
-    } else if constexpr (std::is_same_v<Value, Order>) {
-      return Order(static_cast<int>(next()));
-    } else {
-      return next();
-    }
-  }
-
- private:
-  const B& next() {
-    if (at_ == end_) throw std::logic_error("too few numbers");
-    return *at_++;
-  }
-  const B *at_, *end_;
-};
-
-/// Appends the numbers of a value, or of the result of an oracle.
-template <class B, class Value>
-void append(std::vector<B>& to, const Value& v) {
-  if constexpr (std::is_same_v<Value, B>)
-    to.push_back(v);
-  else if constexpr (requires { v.I_C; })
-    append(to, v.mass), append(to, v.c), append(to, v.I_C);
-  else if constexpr (requires { v.second; })
-    append(to, v.first), append(to, v.second);
-  else if constexpr (requires { v.R, v.p; })
-    append(to, v.R), append(to, v.p);
-  else if constexpr (requires { v.matrix(); })
-    append(to, v.matrix());
-  else if constexpr (requires { v.value(); })
-    append(to, v.value());
-  else if constexpr (requires { v.resolved; })
-    append(to, v.value);
-  else
-    to.insert(to.end(), v.x.begin(), v.x.end());
-}
-
-template <class B>
-using Formula = std::function<std::vector<B>(Reader<B>)>;
-template <class B>
-using Formulas = std::map<std::string_view, Formula<B>>;
-
-/// The formula that reads arguments of these types, one after the other.
-template <class B, class... A, class F>
-Formula<B> of(F f) {
-  return [f](Reader<B> x) {
-    const std::tuple<A...> arguments{x.template take<A>()...};
-    std::vector<B> numbers;
-    numbers.reserve(36);  // of the largest result
-    append(numbers, std::apply(f, arguments));
-    return numbers;
-  };
-}
+using namespace formula_detail;
 
 template <class B>
 Formulas<B> exponentials() {
@@ -169,7 +98,8 @@ Formulas<B> configurations() {
            of<B, V7>([](const V7& q) { return oracles::integrate_coefficient_jacobian(q); })},
           {"normalize", of<B, V4>([](const V4& Q) { return oracles::normalize(Q); })},
           {"first_order_normalize", of<B, V4>([](const V4& Q) { return oracles::first_order_normalize(Q); })},
-          {"quaternion_matrix", of<B, V4>([](const V4& Q) { return oracles::quaternion_matrix(Q); })}};
+          {"matrix_from_quaternion_any_norm",
+           of<B, V4>([](const V4& Q) { return oracles::matrix_from_quaternion(Q); })}};
 }
 
 /// Euler angles [rad] of a rotation matrix, middle angle in (-pi/2, pi/2) or (0, pi), by its entries.
@@ -253,7 +183,10 @@ std::vector<B> result(const Operation& operation, const std::vector<B>& argument
     Formulas<B> f = exponentials<B>();
     f.merge(spatial_algebra<B>());
     f.merge(configurations<B>());
-    if constexpr (std::is_same_v<B, Real>) f.merge(orientations()), f.merge(planar_poses());
+    if constexpr (std::is_same_v<B, Real>) {
+      f.merge(orientations()), f.merge(planar_poses());
+      f.merge(representations()), f.merge(transforms()), f.merge(navigation());
+    }
     return f;
   }();
   if constexpr (!std::is_same_v<B, Real>)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace liecheck::properties::conventions {
@@ -30,8 +31,28 @@ void from_columns(Value v) {
 
 void column_by_column(Kind k, Value v) {
   if (k == Kind::rotation_matrix || k == Kind::jacobian3 || k == Kind::pose) from_columns<3, 3>(v);
-  if (k == Kind::jacobian6 || k == Kind::inertia_matrix) from_columns<6, 6>(v);
+  if (k == Kind::jacobian6 || k == Kind::inertia_matrix || k == Kind::covariance) from_columns<6, 6>(v);
   if (k == Kind::jacobian76) from_columns<7, 6>(v);
+  if (k == Kind::jacobian9) from_columns<9, 9>(v);
+  if (k == Kind::extended_pose) from_columns<3, 3>(v);
+}
+/// The three vectors of a tangent of SE_2(3), or the blocks of its Jacobian, so that number i of `order` comes from the i-th.
+void in_order(Kind k, Value v, std::array<int, 3> order) {
+  if (k != Kind::extended_tangent && k != Kind::jacobian9) return;
+  const std::vector<double> own(v.begin(), v.end());
+  const auto place = [&](std::size_t i) { return 3 * static_cast<std::size_t>(order[i / 3]) + i % 3; };
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (k == Kind::extended_tangent)
+      v[place(i)] = own[i];
+    else
+      for (std::size_t j = 0; j < 9; ++j) v[9 * place(i) + place(j)] = own[9 * i + j];
+  }
+}
+void rotation_velocity_position(Kind k, Value v) {
+  in_order(k, v, {2, 1, 0});
+}
+void position_rotation_velocity(Kind k, Value v) {
+  in_order(k, v, {0, 2, 1});
 }
 void quaternion_first(Kind k, Value v) {
   if (k == Kind::configuration) std::rotate(v.begin(), v.begin() + 4, v.end());
@@ -58,7 +79,7 @@ void wrench_moment_first(Kind k, Value v) {
   if (k == Kind::wrench || k == Kind::inertia_matrix) exchange_halves(v);
 }
 void jacobian_angular_first(Kind k, Value v) {
-  if (k == Kind::jacobian6) exchange_halves(v), exchange_columns<6>(v);
+  if (k == Kind::jacobian6 || k == Kind::covariance) exchange_halves(v), exchange_columns<6>(v);
   if (k == Kind::jacobian76) exchange_columns<7>(v);
 }
 void matrix_passive(Kind k, Value v) {
@@ -71,7 +92,7 @@ void pose_passive(Kind k, Value v) {
   p = (-(Rows<3, 3>(v.data()) * p)).eval();
 }
 void degrees(Kind k, Value v) {
-  const std::size_t angles = k == Kind::angle || k == Kind::planar_tangent ? 1
+  const std::size_t angles = k == Kind::angle || k == Kind::planar_tangent || k == Kind::axis_angle ? 1
                              : k == Kind::rotation_vector || k == Kind::tangent || k == Kind::euler_angles
                                  ? 3
                                  : 0;
@@ -83,7 +104,8 @@ void about_the_origin(Kind k, Value v) {
   Rows<3, 3>(v.data() + 4) -= v[0] * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
 }
 void opposite(Kind k, Value v) {
-  if (k == Kind::rotation_vector || k == Kind::tangent) negate(v);
+  if (k == Kind::rotation_vector || k == Kind::tangent || k == Kind::parameters) negate(v);
+  if (k == Kind::axis_angle) negate(v.first(3));
 }
 
 }  // namespace
@@ -110,6 +132,12 @@ const std::vector<Convention>& conventions() {
         exact("Jacobians are angular first",
               "exchange the halves of their rows and columns: linear comes first", jacobian_angular_first,
               {"jacobian", "angular first", "linear first"}),
+        exact("tangents of SE_2(3) are (phi, nu, rho)", "give position, velocity and rotation in this order",
+              rotation_velocity_position,
+              {"extended tangent", "rotation velocity position", "position velocity rotation"}),
+        exact("tangents of SE_2(3) are (rho, phi, nu)", "give position, velocity and rotation in this order",
+              position_rotation_velocity,
+              {"extended tangent", "position rotation velocity", "position velocity rotation"}),
         rounds("angles are in degrees", "convert them to radians", degrees, {"angle", "degrees", "radians"}),
         rounds("inertias are about the origin of the body", "give I_C, about the centre of mass",
                about_the_origin, {"inertia", "origin", "centre of mass"}),

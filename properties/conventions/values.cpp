@@ -9,9 +9,16 @@ namespace liecheck::properties::conventions {
 
 Kind kind_of(const Layout& layout) {
   const Part& first = layout.parts[0];
-  if (layout.parts.size() == 3) return Kind::body;
+  if (layout.parts.size() == 3) {
+    if (first.size == 1) return Kind::body;
+    if (first.name == "R") return Kind::extended_pose;
+    return first.name == "rho"    ? Kind::extended_tangent
+           : first.name == "axis" ? Kind::screw
+                                  : Kind::increments;
+  }
   if (layout.parts.size() == 2) {
     if (first.size == 9) return Kind::pose;
+    if (first.name == "axis") return Kind::axis_angle;
     if (first.size == 2) return layout.parts[1].size == 2 ? Kind::planar_pose : Kind::planar_tangent;
     if (layout.parts[1].size == 4) return Kind::configuration;
     if (first.unit == "m") return Kind::tangent;
@@ -22,13 +29,19 @@ Kind kind_of(const Layout& layout) {
       return first.name == "order" ? Kind::order : first.unit == "rad" ? Kind::angle : Kind::scalar;
     case 3:
       if (first.name == "angles") return Kind::euler_angles;
+      if (first.name == "gibbs" || first.name == "mrp") return Kind::parameters;
+      if (first.name == "weights") return Kind::weights;
       if (first.unit == "1") return Kind::direction;
       return first.unit == "rad" ? Kind::rotation_vector : Kind::vector;
     case 4:
       return Kind::quaternion;
+    case 81:
+      return Kind::jacobian9;
     case 9:
-      return first.name == "R" ? Kind::rotation_matrix : Kind::jacobian3;
+      if (first.unit.ends_with("/s") || first.unit.ends_with("s^2")) return Kind::samples;
+      return first.name == "R" || first.name == "A" ? Kind::rotation_matrix : Kind::jacobian3;
     case 36:
+      if (first.unit.starts_with("m^2")) return Kind::covariance;
       return first.unit.starts_with("kg") ? Kind::inertia_matrix : Kind::jacobian6;
     case 42:
       return Kind::jacobian76;

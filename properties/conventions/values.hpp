@@ -17,6 +17,16 @@ enum class Kind {
   order,  ///< of Euler angles
   angle,
   euler_angles,
+  axis_angle,
+  parameters,  ///< Gibbs or modified Rodrigues
+  weights,
+  covariance,
+  screw,
+  extended_pose,
+  extended_tangent,
+  jacobian9,
+  samples,     ///< measurements, one after the other
+  increments,  ///< preintegrated, or their derivatives
   vector,
   direction,
   rotation_vector,

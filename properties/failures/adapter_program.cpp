@@ -89,7 +89,7 @@ std::string tree_call(const Series& series, const NotedCall& call, const adapter
       left = left.subspan(numbers.size());
       text += fmt::format("    {} = {}\n", part.name, fmt::join(numbers, ", "));
     }
-  if (call.operation->name.starts_with("frame_"))
+  if (adapters::of_frame(*call.operation))
     text += fmt::format("    frame = {}\n", fmt::join(model.frame(), ", "));
   return text;
 }

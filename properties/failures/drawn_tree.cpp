@@ -101,7 +101,7 @@ std::string drawn_tree(const Series& series, const CaseId& id, const Output& out
         std::tuple("in the direction d", std::string_view("d"), &c.d)})
     if (takes(output, argument) && !(inverse && argument == op::tree_a.name) && !all_zero(*numbers))
       line("", fmt::format("{} = {}", name, in_brackets(*numbers)));
-  if (output.operation.starts_with("frame_"))
+  if (output.operation.starts_with("frame_") || takes(output, op::seen.name))
     line("", fmt::format("frame on joint {}{}{}", c.frame_joint + 1, placed(c.frame_p.x, c.frame_Q.x),
                          seen.empty() ? "" : ", seen in " + seen));
   if (takes(output, op::wrench.name) && !c.wrench.empty() && !all_zero(c.wrench[0].F.x))

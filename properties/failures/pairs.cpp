@@ -38,9 +38,15 @@ void add_part(std::vector<NumberPair>& to, std::span<const double> got, std::spa
   }
 }
 
+bool is_axis_and_angle(const Layout& layout) {
+  return layout.parts.size() == 2 && layout.parts[0].name == "axis" && layout.parts[1].name == "angle";
+}
+
 }  // namespace
 
 bool is_judged(const Output& output, const Layout& layout, const Part& part) {
+  // A rotation vector is the axis times the angle.
+  if (is_axis_and_angle(layout)) return output.block != "norm defect" || part.size == 3;
   const auto with_unit = [&](std::string_view unit) {
     return std::ranges::any_of(layout.parts, [&](const Part& p) { return p.unit == unit; });
   };
@@ -51,9 +57,22 @@ bool is_judged(const Output& output, const Layout& layout, const Part& part) {
 
 namespace {
 
+/// The exact axis and angle, written as the computed ones are: (-n, -theta) and theta + 2 pi k are the same turn.
+std::vector<Real> written_as(const std::vector<double>& got, std::vector<Real> exact) {
+  if (!std::ranges::all_of(got, [](double x) { return std::isfinite(x); })) return exact;
+  Real along(0);
+  for (std::size_t i = 0; i < 3; ++i) along += Real(got[i]) * exact[i];
+  if (along < 0)
+    for (Real& x : exact) x = -x;
+  static const Real turn = 2 * acos(Real(-1));
+  exact[3] += turn * round(Real((Real(got[3]) - exact[3]) / turn));
+  return exact;
+}
+
 /// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
 std::vector<Real> on_the_side_of(const std::vector<double>& got, std::vector<Real> exact,
                                  const Layout& layout) {
+  if (is_axis_and_angle(layout)) return written_as(got, std::move(exact));
   const auto is = [](const Part& part, const char* unit) { return part.unit == unit && part.size == 3; };
   if (layout.parts.size() != 2 || !is(layout.parts[0], "m") || !is(layout.parts[1], "rad")) return exact;
   const auto rho = exact.begin(), phi = rho + 3;

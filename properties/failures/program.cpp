@@ -19,9 +19,12 @@ std::string declaration(const Field& f, std::vector<std::string> x) {
   if (x.size() == 1) return fmt::format("  const S {} = {};  // {}\n", f.name, list, f.unit);
   if (f.size == 3 || f.size == 4)
     return fmt::format("  const Vector{}<S> {}({});  // {}\n", x.size(), f.name, list, f.unit);
-  const bool matrix = f.kind == Kind::rotation_matrix || f.kind == Kind::inertia;
-  const std::string type =
-      matrix ? "Matrix3<S> " + f.name : fmt::format("Eigen::Matrix<S, {}, 1> {}", f.size, f.name);
+  const bool matrix =
+      f.kind == Kind::rotation_matrix || f.kind == Kind::near_rotation || f.kind == Kind::inertia;
+  const std::string type = matrix ? "Matrix3<S> " + f.name
+                           : f.kind == Kind::covariance
+                               ? "Matrix6<S> " + f.name
+                               : fmt::format("Eigen::Matrix<S, {}, 1> {}", f.size, f.name);
   return fmt::format("  {};  // {}\n  {} << {};\n", type, f.unit, f.name, list);
 }
 
@@ -33,7 +36,7 @@ std::string variable_of(const Layout& argument) {
   return argument.type.starts_with("Vector")
              ? fmt::format("  {0} {1};\n  {1} << {2};\n", argument.type, argument.name,
                            fmt::join(parts, ", "))
-             : fmt::format("  const {} {}({});\n", argument.type, argument.name, fmt::join(parts, ", "));
+             : fmt::format("  const {} {}{{{}}};\n", argument.type, argument.name, fmt::join(parts, ", "));
 }
 
 /// The law's fields. Fields of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).

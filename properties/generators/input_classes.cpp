@@ -363,7 +363,8 @@ std::uint32_t of_masses(std::span<const S> x, std::span<const S>) {
 const std::vector<InputClass>& classes_of(Kind kind) {
   static const std::vector<InputClass>* const in_the_order_of_kinds[] = {
       &vectors, &rotation_vectors, &quaternions, &any_quaternions, &matrices, &inertias, &positives, &none,
-      &none,    &directions,       &fractions,   &plane_angles,    &trees,    &joints,   &masses};
+      &none,    &directions,       &fractions,   &plane_angles,    &trees,    &joints,   &masses,
+      &none,    &none};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   return *in_the_order_of_kinds[static_cast<std::size_t>(kind)];
 }
@@ -379,7 +380,8 @@ std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earli
   static constexpr Classifier* in_the_order_of_kinds[] = {
       of_vector,   of_rotation_vector, of_quaternion, of_any_quaternion, of_matrix,
       of_inertia,  of_positive,        nullptr,       nullptr,           of_direction,
-      of_fraction, of_angle,           of_parents,    of_joints,         of_masses};
+      of_fraction, of_angle,           of_parents,    of_joints,         of_masses,
+      nullptr,     nullptr};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   Classifier* const of = in_the_order_of_kinds[static_cast<std::size_t>(kind)];
   return of ? of(x, earlier) : 0;

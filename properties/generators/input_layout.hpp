@@ -22,9 +22,11 @@ enum class Kind {
   angle,      ///< angles [rad] up to pi in size, one or several
   parents,    ///< parents of the joints of a tree, -2 for an absent joint
   joints,     ///< kinds of the joints of a tree, then the primaries of mimics
-  masses      ///< masses of the bodies of a tree, 0 for an absent body
+  masses,     ///< masses of the bodies of a tree, 0 for an absent body
+  near_rotation,  ///< a matrix A with |A^T A - I| <= 0.4 and a positive determinant
+  covariance      ///< a symmetric positive matrix of 6 x 6, row by row
 };
-inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::masses) + 1;  // masses is the last
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::covariance) + 1;  // the last
 
 /// The classes of inputs that the generator of a group must produce.
 enum class Reach {

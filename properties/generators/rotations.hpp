@@ -266,6 +266,57 @@ Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4,
   return q;
 }
 
+/// Equal or opposite to a, a few ulps from that, near it, at a right angle to a, or any.
+template <class S>
+Eigen::Matrix<S, 3, 1> direction_beside(Source& source, const Eigen::Matrix<S, 3, 1>& a) {
+  using std::sqrt;
+  const S sign = source.chance(1, 2) ? S(1) : S(-1);
+  Eigen::Matrix<S, 3, 1> b = sign * a;
+  switch (source.below(8)) {
+    case 0:
+      return b;
+    case 1:
+      for (int i = 0; i < 3; ++i) b[i] = step_ulps(b[i], source.between(-2, 2));
+      break;
+    case 2:
+    case 3:
+      b += binade_uniform<S>(source, -std::numeric_limits<S>::digits - 20, -4) * direction<S>(source);
+      break;
+    case 4: {
+      const Eigen::Matrix<S, 3, 1> n = direction<S>(source);
+      b = Eigen::Matrix<S, 3, 1>(a[1] * n[2] - a[2] * n[1], a[2] * n[0] - a[0] * n[2],
+                                 a[0] * n[1] - a[1] * n[0]);
+      if (!(b.squaredNorm() > S(1) / S(1000))) b = direction<S>(source);
+      break;
+    }
+    default:
+      return direction<S>(source);
+  }
+  return b / S(sqrt(b.squaredNorm()));
+}
+
+/// 0, 1, 1/2, near both ends, or any.
+template <class S>
+S fraction_up_to_1(Source& source) {
+  const S small = binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
+  switch (source.below(10)) {
+    case 0:
+      return S(0);
+    case 1:
+      return S(1);
+    case 2:
+      return S(1) / S(2);
+    case 3:
+    case 4:
+      return small;
+    case 5:
+    case 6:
+      return S(1) - small;
+    default:
+      return source.unit<S>();
+  }
+}
+
 /// A point equal to p0, a few ulps from it, near it, or any other.
 template <class S>
 Eigen::Matrix<S, 3, 1> point_near(Source& source, const Eigen::Matrix<S, 3, 1>& p0) {

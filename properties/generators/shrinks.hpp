@@ -61,6 +61,12 @@ void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
     }
 }
 
+template <class S>
+Candidates<S> with_rounded(Candidates<S> all, const std::vector<S>& g) {
+  add_rounded(all, g);
+  return all;
+}
+
 /// Vectors along an axis with length 1, a short decimal, a power of two or the length of g. Then g with one
 /// element set to zero, g at unit scale, and g rounded.
 template <class S>
@@ -174,8 +180,17 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
       return matrices(g);
     case Kind::inertia:
       return inertias(g);
+    case Kind::near_rotation:  // rotations, then those with the numbers of g
+      return with_rounded(matrices(g), g);
+    case Kind::covariance: {
+      Candidates<S> all{std::vector<S>(g.size(), S(0)), g};
+      for (std::size_t i = 0; i < 36; i += 7) all[0][i] = S(1);
+      for (std::size_t i = 0; i < 36; ++i)
+        if (i % 7) all[1][i] = S(0);
+      return with_rounded(all, g);
+    }
     case Kind::positive: {
-      Candidates<S> all{{S(1)}};
+      Candidates<S> all{std::vector<S>(g.size(), S(1))};
       add_rounded(all, g);
       return all;
     }

@@ -45,11 +45,15 @@ void check_text(const std::string& place, const std::string& row) {
 /// The value of a field that a case leaves out: (1 + k, 2, 3 - 2 k) for the k-th vector, from 0; the
 /// identity; a zero rotation vector; the inertia of a unit ball.
 std::vector<std::string> default_value(const Field& field, int vectors_before, const Scalar& scalar) {
+  static constexpr const char* covariance =
+      "1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1";
   static const std::map<Kind, const char*> plain = {{Kind::rotation_vector, "0, 0, 0"},
                                                     {Kind::quaternion, "0, 0, 0, 1"},
                                                     {Kind::any_quaternion, "0, 0, 0, 1"},
                                                     {Kind::rotation_matrix, "1, 0, 0, 0, 1, 0, 0, 0, 1"},
                                                     {Kind::inertia, "1, 0, 1, 0, 0, 1"},
+                                                    {Kind::near_rotation, "1, 0, 0, 0, 1, 0, 0, 0, 1"},
+                                                    {Kind::covariance, covariance},
                                                     {Kind::direction, "0, 0, 1"},
                                                     {Kind::fraction, "1/2"}};
   if (field.kind == Kind::vector && field.size == 3)

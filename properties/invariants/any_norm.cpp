@@ -17,7 +17,7 @@ class AnyNorm final : public Law<AnyNorm> {
       .equation = "f(s Q) = f(Q) for every s > 0; normalize(Q) = Q/|Q|",
       .source = "Sola 2017 (arXiv 1711.02508), section 2",
       .outputs = {op::normalize[block::quaternion], op::normalize[block::norm_defect],
-                  op::quaternion_matrix[block::entry], op::rotate_point_any_norm[block::point],
+                  op::matrix_from_quaternion_any_norm[block::entry], op::rotate_point_any_norm[block::point],
                   op::log3_any_norm[block::rotation_vector]},
       .fields = {{"Q", Kind::any_quaternion, 4, "1"}, {"p", Kind::vector, 3, "m", Reach::full}}};
 
@@ -35,7 +35,7 @@ class AnyNorm final : public Law<AnyNorm> {
     const Vec<double, 3> p = read.take<3>();
     const auto Qx = oracles::exact_vector<4, Real>(at_unit_scale(r.scalar(), Q));
     if (o[op::normalize]) record_normalize(r, o[op::normalize](Q), Qx);
-    if (o[op::quaternion_matrix]) record_matrix(r, o[op::quaternion_matrix](Q), Qx);
+    if (o[op::matrix_from_quaternion_any_norm]) record_matrix(r, o[op::matrix_from_quaternion_any_norm](Q), Qx);
     if (o[op::rotate_point_any_norm]) {
       const auto px = oracles::exact_vector<3, Real>(p);
       const auto exact = oracles::rotate_point(Qx, px);
@@ -70,8 +70,8 @@ class AnyNorm final : public Law<AnyNorm> {
   }
   template <class Real>
   static void record_matrix(Recorder& r, const Mat<double, 3>& computed, const oracles::Quaternion<Real>& Q) {
-    constexpr Output entry = op::quaternion_matrix[block::entry];
-    const auto exact = oracles::quaternion_matrix(Q);
+    constexpr Output entry = op::matrix_from_quaternion_any_norm[block::entry];
+    const auto exact = oracles::matrix_from_quaternion(Q);
     judged_value(r, {entry}, 0, computed, exact.resolved, [&] {
       const auto E = oracles::exact_matrix<3, 3, Real>(computed) - exact.value;
       double error = 0;

@@ -122,6 +122,76 @@ std::size_t band_of_angle(const oracles::Scalar& scalar, const oracles::Vec3<T>&
   return band_of_angle(scalar, phi, norm(phi));
 }
 
+/// Whether the three numbers that start at `first` are a direction: of length 1, |v|^2 up to 8 eps.
+inline bool unit_direction_at(const oracles::Scalar& scalar, const std::vector<double>& input,
+                              std::size_t first) {
+  return abs(Real(squared_norm(oracles::exact_vector<3>(input.data() + first)) - 1)) <=
+         Real(8 * scalar.epsilon);
+}
+
+/// What a correct form may err by [rad] since two quaternions or directions are not unit. 2 asin(|Q0 - Q1| / 2) of the stored numbers errs by
+/// up to twice the difference of the norms, which is at most half of the sum of the defects ||Q|^2 - 1|. Of normalised
+/// ones, each is rounded along itself by up to eps, in the norm and in the quotient, which counts twice in an angle. Equal
+/// quaternions, and unit ones, which a division by the norm does not change, cost nothing.
+template <int N>
+Real cost_of_defects(const oracles::Scalar& scalar, const oracles::Vec<N>& a, const oracles::Vec<N>& b) {
+  const Real defects = abs(Real(squared_norm(a) - 1)) + abs(Real(squared_norm(b) - 1));
+  if (defects == 0 || a.x == b.x || a.x == oracles::Vec<N>(Real(-1) * b).x) return Real(0);
+  return defects + 4 * Real(scalar.epsilon);
+}
+/// x, moved towards `to` by at most `by`.
+inline Real nearer(const Real& x, const Real& to, const Real& by) {
+  const Real apart = x - to;
+  if (abs(apart) <= by) return to;
+  return apart > 0 ? Real(x - by) : Real(x + by);
+}
+
+/// Two blocks of an operation.
+using TwoOutputs = std::array<Output, 2>;
+consteval TwoOutputs rotation_and_norm(const Operation& o) {
+  return {o[block::rotation], o[block::norm_defect]};
+}
+consteval TwoOutputs rotation_and_defect(const Operation& o) {
+  return {o[block::rotation], o[block::orthogonality_defect]};
+}
+
+/// The band of the angle of a stored quaternion, which need not be exact: a band only groups cases.
+template <class T>
+std::size_t band_of_rotation(const oracles::Scalar& scalar, const oracles::Quaternion<T>& Q) {
+  double v = 0;
+  const auto number = [](const T& x) {
+    if constexpr (oracles::BallNumber<T>)
+      return x.head();
+    else
+      return static_cast<double>(x);
+  };
+  for (int i = 0; i < 3; ++i) v = std::hypot(v, number(Q[i]));
+  const double w = std::fabs(number(Q[3])), theta = 2 * std::atan2(v, w);
+  return w == 0 ? Bands::of(scalar).at_pi() : Bands::of(scalar).classify(T(theta));
+}
+
+/// Records a rotation that was computed as a quaternion, and its norm.
+template <class T>
+void record_rotation(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Vec<double, 4>& computed,
+                     const oracles::Resolved<oracles::Quaternion<T>>& exact) {
+  judged_value(r, {outputs[0], outputs[1]}, band, computed, exact.resolved, [&] {
+    const auto Q = oracles::exact_vector<4, T>(computed);
+    r.record(outputs[0], band, oracles::rotation_error(r.scalar(), Q, exact.value));
+    r.record(outputs[1], band, oracles::norm_defect(r.scalar(), Q));
+  });
+}
+/// Records a rotation that was computed as a matrix, and how far the matrix is from orthogonal.
+template <class T>
+void record_rotation(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<double, 3>& computed,
+                     const oracles::Resolved<oracles::Quaternion<T>>& exact) {
+  judged_value(r, {outputs[0], outputs[1]}, band, computed, exact.resolved, [&] {
+    const auto errors =
+        oracles::matrix_errors(r.scalar(), oracles::exact_matrix<3, 3, T>(computed), exact.value);
+    r.record(outputs[0], band, errors.rotation);
+    r.record(outputs[1], band, errors.defect);
+  });
+}
+
 /// The band of a logarithm's angle.
 template <class T>
 std::size_t band_of_log(const oracles::Scalar& scalar, const oracles::LogValue<T>& log) {
@@ -172,8 +242,6 @@ inline double norm_defect_at(const oracles::Scalar& scalar, const std::vector<do
   return oracles::norm_defect(scalar, Q);
 }
 
-/// Two blocks of an operation whose result is a 6 x 6 Jacobian or a spatial vector.
-using TwoOutputs = std::array<Output, 2>;
 consteval TwoOutputs jacobian_outputs(const Operation& o) {
   return {o[block::jacobian], o[block::coupling]};
 }

@@ -21,15 +21,11 @@ class MinimalRotation final : public SlowLaw<MinimalRotation> {
   template <class S>
   std::vector<S> draw(Source& source) const {
     const auto a = direction<S>(source);
-    return Joined<S>{a, beside<S>(source, a)};
+    return Joined<S>{a, direction_beside<S>(source, a)};
   }
   bool valid(const std::vector<double>& input) const override {
     if (!Property::valid(input)) return false;
-    const auto unit = [&](std::size_t first) {
-      const oracles::Vec3<> v = oracles::exact_vector<3>(input.data() + first);
-      return abs(squared_norm(v) - 1) <= Real(8 * scalar().epsilon);
-    };
-    return unit(0) && unit(3);
+    return unit_direction_at(scalar(), input, 0) && unit_direction_at(scalar(), input, 3);
   }
   void in(const Subject& subject, const std::vector<double>& input, Recorder& r) const {
     if (!subject.operations[measured]) return;
@@ -54,35 +50,6 @@ class MinimalRotation final : public SlowLaw<MinimalRotation> {
                in_eps(r.scalar(), rotates ? Real(2 * abs(dot(head3(Q), from)) / length) : Real(0)));
       r.record(defect, band, norm_defect(r.scalar(), Q));
     });
-  }
-
- private:
-  /// Equal or opposite to a, a few ulps from that, near it, at a right angle to a, or any.
-  template <class S>
-  static Vec<S, 3> beside(Source& source, const Vec<S, 3>& a) {
-    using std::sqrt;
-    const S sign = source.chance(1, 2) ? S(1) : S(-1);
-    Vec<S, 3> b = sign * a;
-    switch (source.below(8)) {
-      case 0:
-        return b;
-      case 1:
-        for (int i = 0; i < 3; ++i) b[i] = step_ulps(b[i], source.between(-2, 2));
-        break;
-      case 2:
-      case 3:
-        b += binade_uniform<S>(source, -std::numeric_limits<S>::digits - 20, -4) * direction<S>(source);
-        break;
-      case 4: {
-        const Vec<S, 3> n = direction<S>(source);
-        b = Vec<S, 3>(a[1] * n[2] - a[2] * n[1], a[2] * n[0] - a[0] * n[2], a[0] * n[1] - a[1] * n[0]);
-        if (!(b.squaredNorm() > S(1) / S(1000))) b = direction<S>(source);
-        break;
-      }
-      default:
-        return direction<S>(source);
-    }
-    return b / S(sqrt(b.squaredNorm()));
   }
 };
 

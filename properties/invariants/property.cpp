@@ -39,6 +39,11 @@ bool Property::valid(const std::vector<double>& input) const {
         return !each([](double a) { return a == 0; });
       case Kind::rotation_matrix:
         return oracles::orthogonality_defect(scalar(), {oracles::exact_vector<9>(x).x}) <= 8;
+      case Kind::near_rotation: {
+        const oracles::Mat3<> A{oracles::exact_vector<9>(x).x};
+        return oracles::orthogonality_distance(A) <= oracles::Real(2) / 5 &&
+               determinant(A, cofactors(A)) > 0;
+      }
       case Kind::fraction:
         return each([](double a) { return a >= 0 && a <= 1; });
       case Kind::angle:

@@ -27,7 +27,7 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
   std::vector<S> draw(Source& source) const {
     const auto Q0 = unit_quaternion<S>(source), Q1 = quaternion_near<S>(source, Q0);
     std::vector<S> x = Joined<S>{Q0, Q1};
-    x.push_back(taken(source, fraction<S>(source)));
+    x.push_back(taken(source, fraction_up_to_1<S>(source)));
     return x;
   }
   std::string draw_for(const Subject& subject) override {
@@ -66,23 +66,6 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
   }
 
  private:
-  /// What a correct form may err by [rad] since Q0 and Q1 are not unit. 2 asin(|Q0 - Q1| / 2) of the stored numbers errs by
-  /// up to twice the difference of the norms, which is at most half of the sum of the defects ||Q|^2 - 1|. Of normalised
-  /// ones, each is rounded along itself by up to eps, in the norm and in the quotient, which counts twice in an angle. Equal
-  /// quaternions, and unit ones, which a division by the norm does not change, cost nothing.
-  static Real cost_of_defects(const Scalar& scalar, const oracles::Quaternion<>& a,
-                              const oracles::Quaternion<>& b) {
-    const Real defects = abs(Real(squared_norm(a) - 1)) + abs(Real(squared_norm(b) - 1));
-    if (defects == 0 || a.x == b.x || a.x == oracles::Quaternion<>(Real(-1) * b).x) return Real(0);
-    return defects + 4 * Real(scalar.epsilon);
-  }
-  /// x, moved towards `to` by at most `by`.
-  static Real nearer(const Real& x, const Real& to, const Real& by) {
-    const Real apart = x - to;
-    if (abs(apart) <= by) return to;
-    return apart > 0 ? Real(x - by) : Real(x + by);
-  }
-
   std::uint32_t taken_ = fraction_kinds.every();
 
   /// t, or one that the subject takes.
@@ -94,27 +77,6 @@ class RelativeRotation final : public SlowLaw<RelativeRotation> {
     for (int k = 0; k < fraction_kinds.count; ++k)
       if (taken_ >> k & 1) others.push_back(static_cast<S>(fraction_kinds.example(k)[0]));
     return others[source.below(others.size())];
-  }
-  /// 0, 1, 1/2, near both ends, or any.
-  template <class S>
-  static S fraction(Source& source) {
-    const S small = binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
-    switch (source.below(10)) {
-      case 0:
-        return S(0);
-      case 1:
-        return S(1);
-      case 2:
-        return S(1) / S(2);
-      case 3:
-      case 4:
-        return small;
-      case 5:
-      case 6:
-        return S(1) - small;
-      default:
-        return source.unit<S>();
-    }
   }
   static void record_slerp(Recorder& r, std::size_t band, const Vec<double, 4>& computed,
                            const oracles::Slerp& exact) {

@@ -1,6 +1,7 @@
 #include <invariants/tree_program.hpp>
 
 #include <fmt/format.h>
+#include <sstream>
 
 namespace liecheck::properties {
 namespace {
@@ -94,13 +95,15 @@ std::string tree_program(const TreeCase<double>& c, const Call& call, const std:
           fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin() + 3, w.F.x.end()))));
   }
   text += "  std::cout.precision(17);\n";
-  if (!call.before.empty()) text += fmt::format("  {}\n", call.before);
+  const std::string indent = mentions("seen") ? "    " : "  ";
   if (mentions("seen"))
-    return text +
-           "  for (auto seen : {ReferenceFrame::WORLD, ReferenceFrame::LOCAL, "
-           "ReferenceFrame::LOCAL_WORLD_ALIGNED})\n" +
-           fmt::format("    std::cout << {} << '\\n';\n}}\n", call.expression);
-  return text + fmt::format("  std::cout << {} << '\\n';\n}}\n", call.expression);
+    text +=
+        "  for (auto seen : {ReferenceFrame::WORLD, ReferenceFrame::LOCAL, "
+        "ReferenceFrame::LOCAL_WORLD_ALIGNED}) {\n";
+  std::istringstream before{std::string(call.before)};
+  for (std::string line; std::getline(before, line);) text += indent + line + "\n";
+  text += fmt::format("{}std::cout << {} << '\\n';\n", indent, call.expression);
+  return text + (mentions("seen") ? "  }\n}\n" : "}\n");
 }
 
 }  // namespace liecheck::properties

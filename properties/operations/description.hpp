@@ -29,7 +29,7 @@ struct Few {
 };
 
 /// The size of a part that the robot determines.
-enum Size : int { nq = -1, nv = -2, nv_by_nv = -3, six_by_nv = -4 };
+enum Size : int { nq = -1, nv = -2, nv_by_nv = -3, six_by_nv = -4, three_by_nv = -5 };
 
 /// Consecutive numbers of one unit. Matrices are stored row by row.
 struct Part {

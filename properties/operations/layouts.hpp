@@ -16,7 +16,9 @@ inline constexpr BlockName rotation{"rotation"}, norm_defect{"norm defect"},
     R_dot{"R_dot"}, translation_matrix{"translation matrix"}, quaternion_matrix{"quaternion matrix"},
     zeros{"zeros"}, continuous{"continuous"}, joint{"joint"}, same{"same"}, torque{"torque"},
     acceleration{"acceleration"}, by_q{"by q"}, by_v{"by v"}, quaternion{"quaternion"}, entry{"entry"},
-    angle{"angle"}, direction{"direction"}, twist{"twist"}, range{"range"};
+    angle{"angle"}, direction{"direction"}, twist{"twist"}, range{"range"}, parameters{"parameters"},
+    pitch{"pitch"}, symmetry{"symmetry"}, velocity{"velocity"}, linear_by_q{"linear by q"},
+    angular_by_q{"angular by q"}, linear_by_v{"linear by v"}, angular_by_v{"angular by v"};
 }
 
 namespace op {

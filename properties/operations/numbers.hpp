@@ -25,6 +25,8 @@ constexpr int size_of(const Part& part, ModelSize model) {
       return model.nv * model.nv;
     case six_by_nv:
       return 6 * model.nv;
+    case three_by_nv:
+      return 3 * model.nv;
     default:
       return part.size;
   }
@@ -72,7 +74,7 @@ template <class Value, class S>
 Value take_numbers(const S*& from, const Layout& layout, ModelSize model) {
   Value value;
   const auto matrix = [model](const Part& part) {
-    return MatX<S>(part.size == six_by_nv ? 6 : model.nv, model.nv);
+    return MatX<S>(part.size == six_by_nv ? 6 : part.size == three_by_nv ? 3 : model.nv, model.nv);
   };
   if constexpr (std::is_same_v<Value, VecX<S>>)
     value.resize(size_of(layout.parts[0], model));

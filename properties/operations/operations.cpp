@@ -40,7 +40,7 @@ const std::vector<const Operation*>& all_operations() {
          {&op::difference_of_integrate, &op::integrate_of_difference, &op::power, &op::energy_frames,
           &op::rnea_of_aba, &op::crba_symmetric, &op::crba_positive, &op::crba_columns, &op::tree_power,
           &op::momentum_conserved, &op::rnea_of_a_moved_world, &op::rnea_of_reordered_joints,
-          &op::rnea_of_split_bodies})
+          &op::rnea_of_split_bodies, &op::quaternion_of_drifted_matrix, &op::log_of_drifted_matrix})
       list.push_back(formed);
     return list;
   }();

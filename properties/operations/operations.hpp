@@ -4,11 +4,14 @@
 #include <operations/configurations.hpp>
 #include <operations/exponentials.hpp>
 #include <operations/list.hpp>
+#include <operations/navigation.hpp>
 #include <operations/orientations.hpp>
 #include <operations/planar.hpp>
 #include <operations/quaternions.hpp>
+#include <operations/representations.hpp>
 #include <operations/spatial.hpp>
-#include <operations/trees.hpp>
+#include <operations/transforms.hpp>
+#include <operations/tree_derivatives.hpp>
 
 namespace liecheck::properties {
 
@@ -23,11 +26,20 @@ using SpatialSlots =
           op::right_jacobian3_inverse, op::left_jacobian6, op::right_jacobian6, op::left_jacobian6_inverse,
           op::right_jacobian6_inverse, op::d_integrate_arg0, op::d_integrate_arg1, op::d_difference_arg0,
           op::d_difference_arg1, op::integrate_coefficient_jacobian, op::normalize, op::first_order_normalize,
-          op::quaternion_matrix, op::rotate_point_any_norm, op::log3_any_norm, op::integrate_any_norm,
-          op::difference_any_norm, op::d_difference_any_norm, op::relative_angle, op::twist_angle, op::slerp,
-          op::rotation_between, op::euler_to_quaternion, op::euler_to_matrix, op::euler_from_quaternion,
-          op::euler_from_matrix, op::velocity_to_rate, op::rate_to_velocity, op::se2_exp, op::se2_log,
-          op::se2_compose, op::se2_integrate, op::se2_difference>;
+          op::matrix_from_quaternion_any_norm, op::rotate_point_any_norm, op::log3_any_norm,
+          op::integrate_any_norm, op::difference_any_norm, op::d_difference_any_norm, op::relative_angle,
+          op::twist_angle, op::slerp, op::rotation_between, op::euler_to_quaternion, op::euler_to_matrix,
+          op::euler_from_quaternion, op::euler_from_matrix, op::velocity_to_rate, op::rate_to_velocity,
+          op::se2_exp, op::se2_log, op::se2_compose, op::se2_integrate, op::se2_difference,
+          op::quaternion_from_matrix, op::matrix_from_quaternion, op::quaternion_product,
+          op::quaternion_inverse, op::axis_angle_from_quaternion, op::axis_angle_from_matrix,
+          op::quaternion_from_axis_angle, op::matrix_from_axis_angle, op::gibbs_from_quaternion,
+          op::quaternion_from_gibbs, op::mrp_from_quaternion, op::quaternion_from_mrp, op::nearest_rotation,
+          op::gram_schmidt, op::adjoint, op::coadjoint, op::small_adjoint, op::transport_covariance,
+          op::screw_parameters, op::mean_rotation, op::geodesic_mean, op::mean_pose, op::interpolate,
+          op::angle_between, op::slerp_directions, op::se23_exp, op::se23_log, op::se23_left_jacobian,
+          op::se23_right_jacobian, op::se23_adjoint, op::preintegrate_forster, op::preintegrate_brossard,
+          op::forster_bias_jacobians, op::brossard_bias_jacobians>;
 
 /// The operations on the whole configuration vector of one robot.
 template <class S>
@@ -42,6 +54,9 @@ using TreeOperations =
           op::tree_mass_inverse, op::rnea_derivatives, op::aba_derivatives, op::tree_kinetic_energy,
           op::tree_potential_energy, op::tree_momentum, op::tree_momentum_map, op::frame_pose,
           op::frame_velocity, op::frame_acceleration, op::frame_classical_acceleration, op::frame_jacobian,
-          op::frame_jacobian_rate>;
+          op::frame_jacobian_rate, op::tree_static_torque, op::static_torque_derivative, op::tree_coriolis,
+          op::tree_center_of_mass, op::tree_com_jacobian, op::momentum_derivative,
+          op::momentum_rate_derivatives, op::frame_velocity_derivatives, op::frame_acceleration_derivatives,
+          op::operational_inertia>;
 
 }  // namespace liecheck::properties

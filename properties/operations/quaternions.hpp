@@ -21,8 +21,8 @@ inline constexpr auto first_order_normalize = operation<struct FirstOrderNormali
      "Higham 2008, eq. 8.20 (Newton-Schulz)"},
     unit_result, {{block::quaternion, "|Q_n - Q (3 - |Q|^2) / 2|", "|Q (3 - |Q|^2) / 2|", "1"}},
     {so3_header, "SO3<S>(Q).firstOrderNormalized().to_vector()"}, Q);
-inline constexpr auto quaternion_matrix = operation<struct QuaternionMatrix>(
-    {"quaternion_matrix", "R(Q/|Q|) of any finite Q != 0", quaternion_source}, R_result,
+inline constexpr auto matrix_from_quaternion_any_norm = operation<struct MatrixFromQuaternionAnyNorm>(
+    {"matrix_from_quaternion_any_norm", "R(Q/|Q|) of any finite Q != 0", quaternion_source}, R_result,
     {{block::entry, "largest |R - R_exact| of an entry", "absolute", "1"}},
     {so3_header, "SO3<S>(Q).matrix()"}, Q);
 inline constexpr auto rotate_point_any_norm = operation<struct RotatePointAnyNorm>(

@@ -18,7 +18,7 @@ Resolved<Quaternion<>> first_order_normalize(const Quaternion<>& Q) {
   return {value, agree(Q - Real((squared_norm(Q) - 1) / 2) * Q, value)};
 }
 
-Resolved<Mat3<>> quaternion_matrix(const Quaternion<>& Q) {
+Resolved<Mat3<>> matrix_from_quaternion(const Quaternion<>& Q) {
   const Mat3<> value = cast<Real>(rotation_matrix(normalized(cast<Real100>(Q))));
   Mat3<> second;
   for (int j = 0; j < 3; ++j) {

@@ -16,7 +16,7 @@ Resolved<Quaternion<>> normalize(const Quaternion<>& Q);
 /// Q (3 - |Q|^2) / 2
 Resolved<Quaternion<>> first_order_normalize(const Quaternion<>& Q);
 /// R(Q/|Q|)
-Resolved<Mat3<>> quaternion_matrix(const Quaternion<>& Q);
+Resolved<Mat3<>> matrix_from_quaternion(const Quaternion<>& Q);
 
 template <BallNumber T>
 Resolved<Quaternion<T>> normalize(const Quaternion<T>& Q) {
@@ -27,7 +27,7 @@ Resolved<Quaternion<T>> first_order_normalize(const Quaternion<T>& Q) {
   return {T(0.5) * (T(3) - squared_norm(Q)) * Q, true};
 }
 template <BallNumber T>
-Resolved<Mat3<T>> quaternion_matrix(const Quaternion<T>& Q) {
+Resolved<Mat3<T>> matrix_from_quaternion(const Quaternion<T>& Q) {
   return {rotation_matrix(normalized(Q)), true};
 }
 

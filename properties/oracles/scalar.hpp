@@ -3,7 +3,7 @@
 //
 // Every float is exactly a double. So the numbers of a case travel as doubles, and one program measures the results of
 // every scalar. Only what must keep the bits of a computation in the scalar is a template: generators and simpler
-// inputs (generators/), and the conversion around a call (subjects/rounded_calls.cpp).
+// inputs (generators/), and the conversion around a call (subjects/rounded_calls.hpp).
 
 #include <cmath>
 #include <limits>

@@ -124,6 +124,9 @@ struct MotionOf {
 };
 
 template <class T>
+struct FrameMotion;
+
+template <class T>
 class TreeDynamics {
  public:
   using Numbers = std::vector<T>;
@@ -154,6 +157,12 @@ class TreeDynamics {
   /// The time derivative of momentum(). Its angular part is sum m (x - c) cross x'', since x' cross x' = 0
   /// and c' cross sum m x' = 0.
   Vec6<T> momentum_rate() const { return moment_about_centre(at_.X2); }
+  /// The derivative of momentum(), or of its rate, along the direction.
+  Vec6<T> momentum_change(bool of_rate) const;
+  T total_mass() const;
+  Vec3<T> centre() const;  ///< of mass, in the world
+  /// The derivative of a FrameMotion along the direction.
+  FrameMotion<T> frame_change(std::size_t joint, const Quaternion<T>& Q, const Vec3<T>& position) const;
 
  private:
   const TreeOf<T>& tree_;

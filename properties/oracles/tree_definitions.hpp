@@ -256,6 +256,22 @@ FrameMotion<T>::FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quate
 }
 
 template <class T>
+FrameMotion<T> TreeDynamics<T>::frame_change(std::size_t joint, const Quaternion<T>& Q,
+                                             const Vec3<T>& position) const {
+  const Mat34<T> F = matrix(unit_rotation(Q), position), none = zeros<3, 4, T>();
+  const Mat34<T> X = product(at_.X[joint], F, 1), X1 = product(at_.X1[joint], F, 1),
+                 X2 = product(at_.X2[joint], F, 1),
+                 dX = change_.X.empty() ? none : product(change_.X[joint], F, 1),
+                 dX1 = product(change_.X1[joint], F, 1), dX2 = product(change_.X2[joint], F, 1);
+  FrameMotion<T> d(at_, joint, Q, position);
+  d.R = rotation_of(dX), d.p = origin_of(dX), d.p1 = origin_of(dX1), d.p2 = origin_of(dX2);
+  const Mat3<T> Rt = transpose(rotation_of(X)), dRt = transpose(d.R);
+  d.w = vee(rotation_of(dX1) * Rt + rotation_of(X1) * dRt);
+  d.w1 = vee(rotation_of(dX2) * Rt + rotation_of(X2) * dRt);
+  return d;
+}
+
+template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     if (!(A[k * n + k] > T(0))) return {};
@@ -340,15 +356,17 @@ std::vector<T> Solver<T>::operator()(const std::vector<T>& b) const {
   return x;
 }
 
-#define LIECHECK_TREE(T)                                                                                 \
-  template struct TreePoses<T>;                                                                          \
-  template TreeDynamics<T>::TreeDynamics(const TreeOf<T>&, std::shared_ptr<const TreePoses<T>>,          \
-                                         const Numbers&, const Numbers&, const Numbers&, const Numbers&, \
-                                         const Numbers&);                                                \
-  template void TreeDynamics<T>::differentiate(const Numbers&, const Numbers&, const Numbers&);          \
-  template struct FrameMotion<T>;                                                                        \
-  template std::vector<T> positive_factor(std::vector<T>, std::size_t);                                  \
-  template class Solver<T>;                                                                              \
+#define LIECHECK_TREE(T)                                                                                   \
+  template struct TreePoses<T>;                                                                            \
+  template TreeDynamics<T>::TreeDynamics(const TreeOf<T>&, std::shared_ptr<const TreePoses<T>>,            \
+                                         const Numbers&, const Numbers&, const Numbers&, const Numbers&,   \
+                                         const Numbers&);                                                  \
+  template void TreeDynamics<T>::differentiate(const Numbers&, const Numbers&, const Numbers&);            \
+  template struct FrameMotion<T>;                                                                          \
+  template FrameMotion<T> TreeDynamics<T>::frame_change(std::size_t, const Quaternion<T>&, const Vec3<T>&) \
+      const;                                                                                               \
+  template std::vector<T> positive_factor(std::vector<T>, std::size_t);                                    \
+  template class Solver<T>;                                                                                \
   template std::vector<T> solve(const std::vector<T>&, std::vector<T>);
 
 }  // namespace liecheck::oracles

@@ -194,6 +194,45 @@ Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>& y) con
   return stack(linear, angular - cross(centre, linear));
 }
 
+template <class T>
+T TreeDynamics<T>::total_mass() const {
+  T mass(0);
+  for (const Mat44<T>& J : poses_->J) mass += J(3, 3);
+  return mass;
+}
+template <class T>
+Vec3<T> TreeDynamics<T>::centre() const {
+  Vec3<T> sum = zero_vector<3, T>();
+  for (const Mat44<T>& N : poses_->XJ)
+    for (int k = 0; k < 3; ++k) sum[k] += N(k, 3);
+  const T mass = total_mass();
+  for (int k = 0; k < 3; ++k) sum[k] = sum[k] / mass + at_.origin[k];
+  return sum;
+}
+/// The derivatives of both sums of moment_about_centre.
+template <class T>
+Vec6<T> TreeDynamics<T>::momentum_change(bool of_rate) const {
+  const std::vector<Mat34<T>>&y = of_rate ? at_.X2 : at_.X1, &dy = of_rate ? change_.X2 : change_.X1;
+  const bool by_q = !change_.X.empty();
+  Mat<4, 3, T> Y = zeros<4, 3, T>(), dY = Y;
+  Vec3<T> centre = zero_vector<3, T>(), d_centre = centre;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const Mat44<T>& N = poses_->XJ[i];
+    Y = Y + times_transposed(N, y[i]);
+    dY = dY + times_transposed(N, dy[i]);
+    for (int k = 0; k < 3; ++k) centre[k] += N(k, 3);
+    if (!by_q) continue;
+    const Mat44<T> dN = times(change_.X[i], poses_->J[i], 0);
+    dY = dY + times_transposed(dN, y[i]);
+    for (int k = 0; k < 3; ++k) d_centre[k] += dN(k, 3);
+  }
+  const T mass = total_mass();
+  for (int k = 0; k < 3; ++k) centre[k] /= mass, d_centre[k] /= mass;
+  const auto linear = [](const Mat<4, 3, T>& m) { return Vec3<T>{{m(3, 0), m(3, 1), m(3, 2)}}; };
+  const Vec3<T> angular{{dY(1, 2) - dY(2, 1), dY(2, 0) - dY(0, 2), dY(0, 1) - dY(1, 0)}};
+  return stack(linear(dY), angular - cross(centre, linear(dY)) - cross(d_centre, linear(Y)));
+}
+
 #define LIECHECK_TREE(T)                                                                             \
   template std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>&) const;            \
   template std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>&) const; \
@@ -201,6 +240,9 @@ Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>& y) con
   template T TreeDynamics<T>::kinetic_energy() const;                                                \
   template T TreeDynamics<T>::potential_energy() const;                                              \
   template T TreeDynamics<T>::energy_rate() const;                                                   \
+  template T TreeDynamics<T>::total_mass() const;                                                    \
+  template Vec3<T> TreeDynamics<T>::centre() const;                                                  \
+  template Vec6<T> TreeDynamics<T>::momentum_change(bool) const;                                     \
   template Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>&) const;
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)

@@ -28,6 +28,8 @@ json size_of(const Part& part) {
       return "nv x nv";
     case six_by_nv:
       return "6 x nv";
+    case three_by_nv:
+      return "3 x nv";
     default:
       return part.size;
   }

@@ -157,6 +157,15 @@ class TypedMutations {
         if (!(angle >= S(-2) * quarter && angle <= S(2) * quarter)) angle = S(2) * quarter * s.symmetric<S>();
         return;
       }
+      case Kind::near_rotation:
+        x[g.from + s.below(9)] += step(s);
+        return;
+      case Kind::covariance: {  // scales a row and a column
+        const std::size_t k = s.below(6);
+        const S f = factor(s);
+        for (std::size_t i = 0; i < 6; ++i) x[g.from + 6 * k + i] *= f, x[g.from + 6 * i + k] *= f;
+        return;
+      }
       case Kind::inertia:
       case Kind::positive:
       case Kind::masses: {  // scales one of several masses

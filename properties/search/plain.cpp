@@ -65,7 +65,7 @@ Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angl
       group = {turn.angle() * axes[axis][0], turn.angle() * axes[axis][1], turn.angle() * axes[axis][2]};
     else if ((f.kind == Kind::quaternion || f.kind == Kind::any_quaternion) && size == 4)
       group = {s * Q.x(), s * Q.y(), s * Q.z(), s * Q.w()};
-    else if (f.kind == Kind::rotation_matrix && size == 9)
+    else if ((f.kind == Kind::rotation_matrix || f.kind == Kind::near_rotation) && size == 9)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(group.data()) = turn.toRotationMatrix();
     else if (f.kind == Kind::vector && (size == 3 || size == 2))
       group = vectors_before == 0   ? of.first
@@ -81,6 +81,8 @@ Plain input_of(const std::vector<Field>& fields, std::size_t turned, double angl
       group.assign(size, std::min(angle, 3.0));
     else if (f.kind == Kind::positive)
       group.assign(size, 1);
+    else if (f.kind == Kind::covariance)
+      for (std::size_t i = 0; i < 6; ++i) group[7 * i] = 1;
     else if (f.kind == Kind::inertia && size == 9)
       group = {0.5, 0, 0, 0, 0.75, 0, 0, 0, 1};
     else if (f.kind != Kind::choice)

@@ -5,7 +5,7 @@
 // calls run in the rounding mode and with the treatment of subnormals that mode_of_calls says
 // (support/float_environment.hpp).
 //
-// A function that returns its result constructs it in that memory if it has a fixed size (rounded_calls.cpp). The last check
+// A function that returns its result constructs it in that memory if it has a fixed size (rounded_calls.hpp). The last check
 // cannot see the memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a
 // register, or a result that the subject copies from a variable of its own.
 

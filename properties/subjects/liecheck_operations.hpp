@@ -3,7 +3,7 @@
 // few scalars, because gcc inlines less in a large file.
 
 #include <boost/multiprecision/eigen.hpp>
-#include <subjects/typed.hpp>
+#include <subjects/liecheck_transforms.hpp>
 
 #include <liecheck/multibody/coefficient_rate.hpp>
 #include <liecheck/multibody/se2.hpp>
@@ -43,6 +43,7 @@ struct LiecheckOperations : Types<S> {
       add_normalisation(s.operations);
       add_orientations(s.operations);
       add_planar_poses(s.operations);
+      LiecheckTransforms<S>::add(s.operations);
     }
     if constexpr (std::is_floating_point_v<S>) add_any_norm(s.operations);
     return s;
@@ -101,7 +102,7 @@ struct LiecheckOperations : Types<S> {
     o[op::first_order_normalize] = [](const V4& Q) -> V4 {
       return SO3<S>(Q).firstOrderNormalized().to_vector();
     };
-    o[op::quaternion_matrix] = [](const V4& Q) -> M3 { return SO3<S>(Q).matrix(); };
+    o[op::matrix_from_quaternion_any_norm] = [](const V4& Q) -> M3 { return SO3<S>(Q).matrix(); };
   }
 
   /// By comparison, because not every scalar converts to int.

@@ -44,6 +44,10 @@ RobotOperations<S> liecheck_robot(const std::string& urdf, bool fixed) {
 extern template RobotOperations<float> liecheck_robot(const std::string& urdf, bool fixed);
 extern template RobotOperations<double> liecheck_robot(const std::string& urdf, bool fixed);
 
+// liecheck_transforms_float.cpp and liecheck_transforms_double.cpp compile them.
+extern template void LiecheckTransforms<float>::add(TypedOperations<float>&);
+extern template void LiecheckTransforms<double>::add(TypedOperations<double>&);
+
 template <class S>
 TypedSubject<S> liecheck_with_robots(decltype(TypedOperations<S>::tree) tree = nullptr) {
   TypedSubject<S> s = LiecheckOperations<S>::make();

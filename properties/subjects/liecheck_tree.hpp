@@ -1,10 +1,11 @@
 #pragma once
 // liecheck's own algorithms on a tree of bodies, in any scalar.
 
-#include <liecheck/algorithms/centroidal.hpp>
-#include <liecheck/algorithms/derivatives.hpp>
+#include <liecheck/algorithms/centroidal_derivatives.hpp>
+#include <liecheck/algorithms/coriolis.hpp>
 #include <liecheck/algorithms/energy.hpp>
-#include <liecheck/algorithms/jacobians.hpp>
+#include <liecheck/algorithms/kinematics_derivatives.hpp>
+#include <liecheck/algorithms/operational_space.hpp>
 #include <subjects/liecheck_trees.hpp>
 
 namespace liecheck::properties {
@@ -64,6 +65,7 @@ struct LiecheckTree {
     return m;
   }
 
+  // Longer than 80 lines: one entry for each operation.
   static O bind(const Tree<S>& tree) {
     struct Bound {
       explicit Bound(const Tree<S>& tree) : m(model(tree)), d(m, Dense::Derivatives) {}
@@ -138,6 +140,44 @@ struct LiecheckTree {
     o[op::frame_jacobian_rate] = [b, seen](const X& q, const X& v, Seen s) -> M {
       computeJointJacobiansTimeVariation(b->m, b->d, q, v);
       return getFrameJacobianTimeVariation(b->m, b->d, b->frame, seen(s));
+    };
+    o[op::tree_static_torque] = [b](const X& q, int i, const V6& F) -> X {
+      return computeStaticTorque(b->m, b->d, q, b->on(i, F));
+    };
+    o[op::static_torque_derivative] = [b](const X& q, int i, const V6& F) -> M {
+      return computeStaticTorqueDerivatives(b->m, b->d, q, b->on(i, F));
+    };
+    o[op::tree_coriolis] = [b](const X& q, const X& v) -> M {
+      return computeCoriolisMatrix(b->m, b->d, q, v);
+    };
+    o[op::tree_center_of_mass] = [b](const X& q) -> Vec<S, 3> { return centerOfMass(b->m, b->d, q); };
+    o[op::tree_com_jacobian] = [b](const X& q) -> M { return jacobianCenterOfMass(b->m, b->d, q); };
+    const auto centroidal = [b](const X& q, const X& v, const X& a) {
+      std::array<M, 4> all;
+      for (M& m : all) m.resize(6, b->m.nv);
+      computeCentroidalDynamicsDerivatives<S>(b->m, b->d, q, v, a, all[0], all[1], all[2], all[3]);
+      return all;
+    };
+    o[op::momentum_derivative] = [centroidal](const X& q, const X& v) -> M { return centroidal(q, v, v)[0]; };
+    o[op::momentum_rate_derivatives] = [centroidal](const X& q, const X& v, const X& a) -> std::pair<M, M> {
+      const auto all = centroidal(q, v, a);
+      return {all[1], all[2]};
+    };
+    o[op::frame_velocity_derivatives] = [b, seen](const X& q, const X& v, Seen s) -> std::pair<M, M> {
+      M by_q(6, b->m.nv), by_v = by_q;
+      computeForwardKinematicsDerivatives(b->m, b->d, q, v, v);
+      getFrameVelocityDerivatives<S>(b->m, b->d, b->frame, seen(s), by_q, by_v);
+      return {by_q, by_v};
+    };
+    o[op::frame_acceleration_derivatives] = [b, seen](const X& q, const X& v, const X& a,
+                                                      Seen s) -> std::pair<M, M> {
+      M by_q(6, b->m.nv), by_v = by_q, by_a = by_q;
+      computeForwardKinematicsDerivatives(b->m, b->d, q, v, a);
+      getFrameAccelerationDerivatives<S>(b->m, b->d, b->frame, seen(s), by_q, by_v, by_a);
+      return {by_q, by_v};
+    };
+    o[op::operational_inertia] = [b, seen](const X& q, Seen s) -> Mat<S, 6> {
+      return computeOperationalSpaceInertia(b->m, b->d, q, b->frame, seen(s));
     };
     return o;
   }

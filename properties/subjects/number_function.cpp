@@ -86,7 +86,7 @@ void call(const NumberFunction& f, std::span<S> in, std::span<S> out) {
 
 }  // namespace
 
-// Where a law rounds the input of a float subject itself: rounded_calls.cpp.
+// Where a law rounds the input of a float subject itself: rounded_calls.hpp.
 void call_in_scalar(const NumberFunction& f, std::span<double> in, std::span<double> out) {
   if (!f.scalar->is_float()) return call(f, in, out);
   Room<float> rounded(in.size()), result(out.size());

@@ -2,7 +2,7 @@
 // A function of a subject as numbers in and numbers out, as the C interface has it, and how the harness calls it: the
 // arguments are rounded to the scalar of the subject, the call is checked if the thread has a log (call_log.hpp), and the
 // result is exactly what the subject returned. Calls of the program's own subjects that are not checked take a shorter
-// way (rounded_calls.cpp), which is up to a fifth faster for the cheapest laws.
+// way (rounded_calls.hpp), which is up to a fifth faster for the cheapest laws.
 
 #include <functional>
 #include <operations/numbers.hpp>

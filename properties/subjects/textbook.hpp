@@ -261,63 +261,6 @@ struct Textbook : Types<S> {
     const S a = small(abs(t)) ? S(1) : t / S(2) * sin(t) / (S(1) - cos(t)), b = t / S(2);
     return {a * q[0] + b * q[1], a * q[1] - b * q[0], t};
   }
-
-  static constexpr double power_of_ten(int e) {  // correctly rounded for e >= -22
-    double p = 1;
-    for (int i = 0; i > e; --i) p *= 10;
-    return 1 / p;
-  }
-  /// At<f, exponent>::call(...) calls the member function f with the cutoff 10^-exponent.
-  template <auto f, int exponent, class F = decltype(f)>
-  struct At;
-  template <auto f, int exponent, class R, class... A>
-  struct At<f, exponent, R (Textbook::*)(A...) const> {
-    static R call(A... a) { return (Textbook{{}, power_of_ten(-exponent)}.*f)(a...); }
-  };
-
-  template <int exponent, bool is_variant>
-  static TypedSubject<S> make() {
-    TypedSubject<S> s{is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook",
-                      "cutoff 1e-" + std::to_string(exponent),
-                      {}};
-    auto& o = s.operations;
-    o[op::exp3_quaternion] = At<&Textbook::exp3_quaternion, exponent>::call;
-    o[op::exp3_matrix] = At<&Textbook::exp3_matrix, exponent>::call;
-    o[op::log3_quaternion] = At<&Textbook::log3_quaternion, exponent>::call;
-    o[op::log3_matrix] = At<&Textbook::log3_matrix, exponent>::call;
-    o[op::exp6] = At<&Textbook::exp6, exponent>::call;
-    o[op::log6] = At<&Textbook::log6, exponent>::call;
-    o[op::left_jacobian3] = At<&Textbook::left_jacobian3, exponent>::call;
-    o[op::right_jacobian3] = At<&Textbook::right_jacobian3, exponent>::call;
-    o[op::left_jacobian3_inverse] = At<&Textbook::left_jacobian3_inverse, exponent>::call;
-    o[op::right_jacobian3_inverse] = At<&Textbook::right_jacobian3_inverse, exponent>::call;
-    o[op::left_jacobian6] = At<&Textbook::left_jacobian6, exponent>::call;
-    o[op::right_jacobian6] = At<&Textbook::right_jacobian6, exponent>::call;
-    o[op::left_jacobian6_inverse] = At<&Textbook::left_jacobian6_inverse, exponent>::call;
-    o[op::right_jacobian6_inverse] = At<&Textbook::right_jacobian6_inverse, exponent>::call;
-    o[op::integrate] = At<&Textbook::integrate, exponent>::call;
-    o[op::difference] = At<&Textbook::difference, exponent>::call;
-    o[op::d_integrate_arg0] = At<&Textbook::d_integrate_arg0, exponent>::call;
-    o[op::d_integrate_arg1] = At<&Textbook::d_integrate_arg1, exponent>::call;
-    o[op::d_difference_arg0] = At<&Textbook::d_difference_arg0, exponent>::call;
-    o[op::d_difference_arg1] = At<&Textbook::d_difference_arg1, exponent>::call;
-    o[op::compose] = At<&Textbook::compose, exponent>::call;
-    o[op::inverse] = At<&Textbook::inverse, exponent>::call;
-    o[op::act_point] = At<&Textbook::act_point, exponent>::call;
-    o[op::rotate_point] = At<&Textbook::rotate_point, exponent>::call;
-    o[op::relative_angle] = At<&Textbook::relative_angle, exponent>::call;
-    o[op::twist_angle] = At<&Textbook::twist_angle, exponent>::call;
-    o[op::slerp] = At<&Textbook::slerp, exponent>::call;
-    o[op::rotation_between] = At<&Textbook::rotation_between, exponent>::call;
-    o[op::euler_to_quaternion] = At<&Textbook::euler_to_quaternion, exponent>::call;
-    o[op::euler_to_matrix] = At<&Textbook::euler_to_matrix, exponent>::call;
-    o[op::euler_from_matrix] = At<&Textbook::euler_from_matrix, exponent>::call;
-    o[op::velocity_to_rate] = At<&Textbook::velocity_to_rate, exponent>::call;
-    o[op::rate_to_velocity] = At<&Textbook::rate_to_velocity, exponent>::call;
-    o[op::se2_exp] = At<&Textbook::se2_exp, exponent>::call;
-    o[op::se2_log] = At<&Textbook::se2_log, exponent>::call;
-    return s;
-  }
 };
 
 }  // namespace liecheck::properties

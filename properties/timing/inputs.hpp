@@ -56,6 +56,7 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
         append(x, Vec<S, 3>(angle_in<S>(band, source) * unit_vector<S>(source)));
         break;
       case Kind::rotation_matrix:
+      case Kind::near_rotation:
         append(x, rotation_matrix<S>(quaternion_in<S>(band, source)));
         break;
       case Kind::quaternion:
@@ -91,7 +92,10 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
         for (int k = 0; k < f.size; ++k) x.push_back(S(0));
         break;
       case Kind::positive:
-        x.push_back(S(1) + source.unit<S>());
+        for (int k = 0; k < f.size; ++k) x.push_back(S(1) + source.unit<S>());
+        break;
+      case Kind::covariance:
+        for (int k = 0; k < f.size; ++k) x.push_back(k % 7 ? S(1) / S(8) : S(1) + source.unit<S>());
         break;
       case Kind::inertia: {  // three unit masses in a cube with edges of 2 m
         Mat<S, 3> I = Mat<S, 3>::Zero();

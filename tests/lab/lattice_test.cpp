@@ -132,7 +132,13 @@ TEST(Lattice, ABaseWithoutAFaultIsNeverFound) {
     fault.perturbation.change = PlantedChange::none;
     const FaultVerdict verdict = lab.judge(fault);
     EXPECT_EQ(verdict.found, Found::unchanged) << fault.operation->name << " by " << verdict.by;
-    EXPECT_EQ(verdict.share, 1) << fault.operation->name;
+    // Half turns have no Gibbs parameters and translations no screw: their laws do not call the function there.
+    const bool partial =
+        fault.operation == &op::gibbs_from_quaternion || fault.operation == &op::screw_parameters;
+    if (partial)
+      EXPECT_GT(verdict.share, 0.9) << fault.operation->name;
+    else
+      EXPECT_EQ(verdict.share, 1) << fault.operation->name;
   }
 }
 
@@ -313,8 +319,8 @@ TEST_F(VerdictsOfARun, AreKeptAndNotComputedAgain) {
 }
 
 TEST_F(VerdictsOfARun, AreKeptAfterCtrlC) {
-  // The first pass ends within a second; the cases of rarer triggers take minutes.
-  const std::string line = "timeout --preserve-status -s INT 8 " LIECHECK_LAB
+  // The first pass of all laws takes some seconds; the cases of rarer triggers take minutes.
+  const std::string line = "timeout --preserve-status -s INT 30 " LIECHECK_LAB
                            " lattice --subject liecheck --operation exp6 --cases 100000 --resume " +
                            file_ + " > " + file_ + ".out 2>&1";
   const int status = std::system(line.c_str());

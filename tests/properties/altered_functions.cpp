@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "altered_libraries.hpp"
 
@@ -12,6 +13,11 @@ void take(Library& l, const std::string& name, const std::string& other) {
   l[name] = correct()[other];
 }
 
+template <int N>
+void transpose(double* v) {
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < i; ++j) std::swap(v[N * i + j], v[N * j + i]);
+}
 template <int N, int D>
 void scale(double* v) {
   for (int i = 0; i < 3; ++i) v[i] *= double(N) / D;
@@ -42,6 +48,7 @@ void right_jacobian_is_left(Library& l) {
   take(l, "right_jacobian3", "left_jacobian3"), take(l, "right_jacobian6", "left_jacobian6");
   take(l, "right_jacobian3_inverse", "left_jacobian3_inverse");
   take(l, "right_jacobian6_inverse", "left_jacobian6_inverse");
+  take(l, "se23_right_jacobian", "se23_left_jacobian");
 }
 void log_of_the_inverse(Library& l) {
   change_results(l, {{"log3_quaternion", 0}, {"log3_any_norm", 0}, {"log3_matrix", 0}}, negate3);
@@ -112,6 +119,7 @@ void exp_of_the_opposite(Library& l) {
 }
 void left_jacobian_is_right(Library& l) {
   change_arguments(l, {{"left_jacobian3", 0}, {"left_jacobian3_inverse", 0}}, negate3);
+  take(l, "se23_left_jacobian", "se23_right_jacobian");
   change_arguments(l, {{"left_jacobian6", 0}, {"left_jacobian6_inverse", 0}}, negate6);
 }
 void jacobians_exchanged_with_inverses(Library& l) {
@@ -171,6 +179,60 @@ void momentum_about_the_centre(Library& l) {
     for (int i = 0; i < 3; ++i) h[std::size_t(3 + i)] -= k[i];
     return h;
   };
+}
+
+void quaternion_product_exchanged(Library& l) {
+  l["quaternion_product"] = [](const Numbers& x) {
+    Numbers y(x.begin() + 4, x.end());
+    y.insert(y.end(), x.begin(), x.begin() + 4);
+    return correct()["quaternion_product"](y);
+  };
+}
+void rows_made_orthogonal(Library& l) {
+  change_arguments(l, {{"gram_schmidt", 0}}, transpose<3>);
+  change_results(l, {{"gram_schmidt", 0}}, transpose<3>);
+}
+void axis_and_angle_inverse(Library& l) {
+  change_arguments(l, {{"quaternion_from_axis_angle", 3}, {"matrix_from_axis_angle", 3}},
+                   [](double* angle) { *angle = -*angle; });
+}
+void adjoint_of_the_inverse(Library& l) {
+  change_arguments(l, {{"adjoint", 0}, {"coadjoint", 0}, {"transport_covariance", 0}}, [](double* x) {
+    const Numbers r = correct()["inverse"](Numbers(x, x + 12));
+    std::ranges::copy(r, x);
+  });
+}
+void coadjoint_transposed(Library& l) {
+  take(l, "coadjoint", "adjoint");
+  change_results(l, {{"coadjoint", 0}}, transpose<6>);
+}
+void pitch_of_a_turn(Library& l) {
+  change_results(l, {{"screw_parameters", 3}}, [](double* pitch) { *pitch *= 8 * std::atan(1.0); });
+}
+void position_rotation_velocity(Library& l) {
+  const auto rows = [](double* v) { std::swap_ranges(v + 3, v + 6, v + 6); };
+  const auto both = [](double* J) {
+    std::swap_ranges(J + 27, J + 54, J + 54);
+    for (int i = 0; i < 9; ++i) std::swap_ranges(J + 9 * i + 3, J + 9 * i + 6, J + 9 * i + 6);
+  };
+  const Places matrices = {{"se23_left_jacobian", 0}, {"se23_right_jacobian", 0}, {"se23_adjoint", 0}};
+  change_arguments(l, {{"se23_exp", 0}, {"se23_left_jacobian", 0}, {"se23_right_jacobian", 0}}, rows);
+  change_results(l, {{"se23_log", 0}}, rows), change_results(l, matrices, both);
+}
+void rotation_velocity_position(Library& l) {
+  const auto rows = [](double* v) { std::swap_ranges(v, v + 3, v + 6); };
+  const auto both = [](double* J) {
+    std::swap_ranges(J, J + 27, J + 54);
+    for (int i = 0; i < 9; ++i) std::swap_ranges(J + 9 * i, J + 9 * i + 3, J + 9 * i + 6);
+  };
+  const Places matrices = {{"se23_left_jacobian", 0}, {"se23_right_jacobian", 0}, {"se23_adjoint", 0}};
+  change_arguments(l, {{"se23_exp", 0}, {"se23_left_jacobian", 0}, {"se23_right_jacobian", 0}}, rows);
+  change_results(l, {{"se23_log", 0}}, rows), change_results(l, matrices, both);
+}
+void by_measurements(Library& l) {
+  change_results(l, {{"forster_bias_jacobians", 0}, {"brossard_bias_jacobians", 0}}, [](double* D) {
+    for (int i = 0; i < 45; ++i) D[i] = -D[i];
+  });
 }
 
 }  // namespace liecheck::properties::conventions

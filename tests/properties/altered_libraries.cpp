@@ -90,13 +90,17 @@ Places places(const std::string& text) {
 const Places
     quaternion_arguments = places(
         "log3_quaternion 0 log3_any_norm 0 rotate_point 0 rotate_point_any_norm 0 "
-        "quaternion_matrix 0 integrate 3 integrate_any_norm 3 difference 3 10 "
+        "matrix_from_quaternion_any_norm 0 integrate 3 integrate_any_norm 3 difference 3 10 "
         "difference_any_norm 3 10 d_difference_arg0 3 10 d_difference_arg1 3 10 "
         "d_difference_any_norm 3 10 relative_angle 0 4 twist_angle 0 slerp 0 4 "
-        "euler_from_quaternion 1 velocity_to_rate 3 rate_to_velocity 3 10"),
+        "euler_from_quaternion 1 velocity_to_rate 3 rate_to_velocity 3 10 matrix_from_quaternion 0 "
+        "quaternion_product 0 4 quaternion_inverse 0 axis_angle_from_quaternion 0 gibbs_from_quaternion 0 "
+        "mrp_from_quaternion 0 mean_rotation 0 4 8 geodesic_mean 0 4 8 mean_pose 3 10 17 interpolate 3 10"),
     quaternion_results = places(
         "exp3_quaternion 0 integrate 3 integrate_any_norm 3 slerp 0 rotation_between 0 "
-        "euler_to_quaternion 0 velocity_to_rate 3"),
+        "euler_to_quaternion 0 velocity_to_rate 3 quaternion_from_matrix 0 quaternion_product 0 "
+        "quaternion_inverse 0 quaternion_from_axis_angle 0 quaternion_from_gibbs 0 quaternion_from_mrp 0 "
+        "mean_rotation 0 geodesic_mean 0 mean_pose 3 interpolate 3"),
     tangent_arguments = places(
         "exp6 0 left_jacobian6 0 right_jacobian6 0 left_jacobian6_inverse 0 "
         "right_jacobian6_inverse 0 integrate 7 integrate_any_norm 7 d_integrate_arg0 7 "
@@ -104,25 +108,39 @@ const Places
     tangent_results = places("log6 0 difference 0 difference_any_norm 0"),
     twist_arguments = places(
         "act_motion 12 act_inverse_motion 12 cross_motion 0 6 cross_force 0 momentum 13 "
-        "kinetic_energy 13 velocity_to_rate 7"),
+        "kinetic_energy 13 velocity_to_rate 7 small_adjoint 0 screw_parameters 0"),
     twist_results = places("act_motion 0 act_inverse_motion 0 cross_motion 0 rate_to_velocity 0"),
     wrench_arguments = places("act_force 12 act_inverse_force 12 cross_force 6"),
     wrench_results = places("act_force 0 act_inverse_force 0 cross_force 0 momentum 0"),
     pose_arguments = places(
         "log6 0 compose 0 12 inverse 0 act_point 0 act_motion 0 act_inverse_motion 0 act_force 0 "
-        "act_inverse_force 0 act_inertia 0 act_inverse_inertia 0"),
+        "act_inverse_force 0 act_inertia 0 act_inverse_inertia 0 adjoint 0 coadjoint 0 transport_covariance "
+        "0"),
     pose_results = places("exp6 0 compose 0 inverse 0"),
     jacobians3 =
         places("left_jacobian3 0 right_jacobian3 0 left_jacobian3_inverse 0 right_jacobian3_inverse 0"),
+    matrix_arguments = places(
+        "log3_matrix 0 euler_from_matrix 1 quaternion_from_matrix 0 axis_angle_from_matrix 0 "
+        "nearest_rotation 0 gram_schmidt 0"),
+    matrix_results = places(
+        "exp3_matrix 0 matrix_from_quaternion_any_norm 0 euler_to_matrix 0 matrix_from_quaternion 0 "
+        "matrix_from_axis_angle 0 nearest_rotation 0 gram_schmidt 0"),
+    parameter_arguments = places("quaternion_from_gibbs 0 quaternion_from_mrp 0"),
+    parameter_results = places("gibbs_from_quaternion 0 mrp_from_quaternion 0"),
+    axis_angle_results = places("axis_angle_from_quaternion 0 axis_angle_from_matrix 0"),
     jacobians6 = places(
         "left_jacobian6 0 right_jacobian6 0 left_jacobian6_inverse 0 right_jacobian6_inverse 0 "
         "d_integrate_arg0 0 d_integrate_arg1 0 d_difference_arg0 0 d_difference_arg1 0 "
-        "d_difference_any_norm 0"),
+        "d_difference_any_norm 0 adjoint 0 coadjoint 0 small_adjoint 0"),
+    jacobians9 = places("se23_left_jacobian 0 se23_right_jacobian 0 se23_adjoint 0"),
     configuration_arguments = places(
         "integrate 0 integrate_any_norm 0 difference 0 7 difference_any_norm 0 7 "
         "d_difference_arg0 0 7 d_difference_arg1 0 7 d_difference_any_norm 0 7 d_integrate_arg0 0 "
-        "d_integrate_arg1 0 integrate_coefficient_jacobian 0 velocity_to_rate 0 rate_to_velocity 0 7"),
-    configuration_results = places("integrate 0 integrate_any_norm 0 velocity_to_rate 0"),
+        "d_integrate_arg1 0 integrate_coefficient_jacobian 0 velocity_to_rate 0 rate_to_velocity 0 7 "
+        "mean_pose 0 7 14 "
+        "interpolate 0 7"),
+    configuration_results =
+        places("integrate 0 integrate_any_norm 0 velocity_to_rate 0 mean_pose 0 interpolate 0"),
     body_arguments =
         places("act_inertia 12 act_inverse_inertia 12 momentum 0 kinetic_energy 0 inertia_matrix 0"),
     body_results = places("act_inertia 0 act_inverse_inertia 0");
@@ -162,9 +180,11 @@ void columns(Library& l) {
     for (std::size_t i = 0; i < 42; ++i) J[i] = rows[i % 7 * 6 + i / 7];
   });
   change_arguments(l, pose_arguments, transpose<3>);
-  change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
+  change_arguments(l, matrix_arguments, transpose<3>);
+  change_arguments(l, {{"se23_log", 0}, {"se23_adjoint", 0}}, transpose<3>);
+  change_results(l, {{"se23_exp", 0}}, transpose<3>), change_results(l, jacobians9, transpose<9>);
   change_results(l, pose_results, transpose<3>), change_results(l, jacobians3, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
+  change_results(l, matrix_results, transpose<3>);
   change_results(l, jacobians6, transpose<6>);
 }
 void passive_poses(Library& l) {
@@ -176,10 +196,12 @@ void passive_poses(Library& l) {
 }
 void jacobians_angular_first(Library& l) {
   change_results(l, {{"integrate_coefficient_jacobian", 0}}, [](double* J) { exchange_columns(J, 7); });
-  change_results(l, jacobians6, [](double* J) {
+  const auto exchange = [](double* J) {
     std::swap_ranges(J, J + 18, J + 18);
     exchange_columns(J, 6);
-  });
+  };
+  change_results(l, jacobians6, exchange), change_results(l, {{"transport_covariance", 0}}, exchange);
+  change_arguments(l, {{"transport_covariance", 12}}, exchange);
 }
 void degrees(Library& l) {
   const auto to_radians = [](double* v) {
@@ -189,8 +211,20 @@ void degrees(Library& l) {
     for (int i = 0; i < 3; ++i) v[i] *= 180 / std::numbers::pi;
   };
   const auto one = [](double factor) { return [factor](double* v) { *v *= factor; }; };
-  change_arguments(l, {{"se2_exp", 2}, {"se2_integrate", 6}}, one(std::numbers::pi / 180));
-  change_results(l, {{"relative_angle", 0}, {"twist_angle", 0}, {"se2_log", 2}, {"se2_difference", 2}},
+  change_arguments(l,
+                   {{"se2_exp", 2},
+                    {"se2_integrate", 6},
+                    {"quaternion_from_axis_angle", 3},
+                    {"matrix_from_axis_angle", 3}},
+                   one(std::numbers::pi / 180));
+  change_results(l,
+                 {{"relative_angle", 0},
+                  {"twist_angle", 0},
+                  {"se2_log", 2},
+                  {"se2_difference", 2},
+                  {"angle_between", 0},
+                  {"axis_angle_from_quaternion", 3},
+                  {"axis_angle_from_matrix", 3}},
                  one(180 / std::numbers::pi));
   Places inside_arguments = places("exp3_quaternion 0 exp3_matrix 0 euler_to_quaternion 1 euler_to_matrix 1"),
          inside_results = places(
@@ -218,13 +252,14 @@ void inertia_about_the_origin(Library& l) {
   change_arguments(l, body_arguments, moved(-1)), change_results(l, body_results, moved(1));
 }
 void passive_rotation_matrices(Library& l) {
-  change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
+  change_arguments(l, matrix_arguments, transpose<3>);
+  change_results(l, matrix_results, transpose<3>);
 }
 void opposite_tangents(Library& l) {
   change_arguments(l, tangent_arguments, negate6), change_results(l, tangent_results, negate6);
   change_arguments(l, {{"exp3_quaternion", 0}, {"exp3_matrix", 0}}, negate3);
-  change_arguments(l, jacobians3, negate3);
+  change_arguments(l, jacobians3, negate3), change_arguments(l, parameter_arguments, negate3);
+  change_results(l, parameter_results, negate3), change_results(l, axis_angle_results, negate3);
   change_results(l, {{"log3_quaternion", 0}, {"log3_any_norm", 0}, {"log3_matrix", 0}}, negate3);
 }
 }  // namespace liecheck::properties::conventions

@@ -60,5 +60,14 @@ void motions_as_forces(Library& l);
 void cross_motion_exchanged(Library& l);
 void compose_exchanged(Library& l);
 void momentum_about_the_centre(Library& l);
+void quaternion_product_exchanged(Library& l);
+void rows_made_orthogonal(Library& l);
+void axis_and_angle_inverse(Library& l);
+void adjoint_of_the_inverse(Library& l);
+void coadjoint_transposed(Library& l);
+void pitch_of_a_turn(Library& l);
+void position_rotation_velocity(Library& l);
+void rotation_velocity_position(Library& l);
+void by_measurements(Library& l);
 
 }  // namespace liecheck::properties::conventions

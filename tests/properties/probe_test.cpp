@@ -75,6 +75,16 @@ const Mismatch mismatches[] = {
     {{cross_motion_exchanged}, {"the product of motions is [W, V]"}},
     {{compose_exchanged}, {"the product of poses is in the reverse order"}},
     {{momentum_about_the_centre}, {"momentum is about the centre of mass"}},
+    // representations, poses, inertial navigation
+    {{quaternion_product_exchanged}, {"the product of quaternions is Q1 Q0"}},
+    {{rows_made_orthogonal}, {"the rows of the matrix are made orthogonal, not its columns"}},
+    {{axis_and_angle_inverse}, {"the rotation of an axis and an angle is the inverse one"}},
+    {{adjoint_of_the_inverse}, {"the adjoint is that of the inverse pose"}},
+    {{coadjoint_transposed}, {"the coadjoint is Ad^T"}},
+    {{pitch_of_a_turn}, {"the pitch of a screw is that of a whole turn"}},
+    {{position_rotation_velocity}, {"tangents of SE_2(3) are (rho, phi, nu)"}},
+    {{rotation_velocity_position}, {"tangents of SE_2(3) are (phi, nu, rho)"}},
+    {{by_measurements}, {"the derivatives are those by the measurements"}},
     // two at a time
     {{w_first, twists_angular_first}, {"quaternions are stored w x y z", "twists are angular first"}},
     {{columns, degrees}, {"matrices are stored column by column", "angles are in degrees"}},
@@ -174,6 +184,19 @@ TEST(Probe, NamesAConversionOfOneSideOnly) {
       findings(l),
       "twists are angular first, but only as arguments, in act_inverse_motion, act_motion and cross_motion: "
       "exchange their halves: the linear part comes first\n");
+}
+
+TEST(Probe, TakesAnAxisAndItsAngleAsOneTurn) {
+  const Places pairs = {{"axis_angle_from_quaternion", 0}, {"axis_angle_from_matrix", 0}};
+  Library l = correct();
+  change_results(l, pairs, [](double* x) {
+    for (int i = 0; i < 4; ++i) x[i] = -x[i];
+  });
+  EXPECT_EQ(findings(l), "");
+  change_results(l, pairs, [](double* x) { x[3] += 8 * std::atan(1.0); });
+  EXPECT_EQ(findings(l), "");
+  change_results(l, pairs, [](double* x) { x[0] = -x[0], x[1] = -x[1], x[2] = -x[2]; });
+  EXPECT_NE(findings(l), "") << "the inverse rotation";
 }
 
 TEST(Probe, SaysWhichConventionsTheAnswersDoNotTellApart) {

@@ -209,11 +209,11 @@ TEST(Substitutions, TheIdentity) {
 }
 
 TEST(Substitutions, AMatrixOfAQuaternionThatIsNotNormalised) {
-  const auto calls = calls_of(op::quaternion_matrix, numbers(4), [](const auto& x, auto& R) {
+  const auto calls = calls_of(op::matrix_from_quaternion_any_norm, numbers(4), [](const auto& x, auto& R) {
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
     for (std::size_t i = 0; i < 9; ++i) R[i] = (i % 4 == 0) + square * (R[i] - (i % 4 == 0));
   });
-  EXPECT_EQ(norm_power_of(op::quaternion_matrix, calls),
+  EXPECT_EQ(norm_power_of(op::matrix_from_quaternion_any_norm, calls),
             "where it fails, R - 1 is |Q|^2 times the right one: Q is not normalised");
 }
 

@@ -306,6 +306,47 @@ CALLS["frame_jacobian_rate"] = ("q v 1 8", "6v", rate)
   EXPECT_TRUE(sentence.ends_with(" is right: it lacks - V x J, the frame's own velocity")) << sentence;
 }
 
+/// The functions of a tree of hinges and slides, each with another convention if `altered`.
+std::string more_operations(bool altered) {
+  return R"(
+def static_torque(t, q, joint, F):
+    return OTHER * t.rnea(q, np.zeros(t.nv), np.zeros(t.nv), int(joint[0]), F)
+def coriolis(t, q, v):  # Christoffel's: half of h(v + e) - h(v) - h(e), without gravity
+    h = lambda v: t.rnea(q, v, np.zeros(t.nv)) - t.rnea(q, 0 * v, 0 * v)
+    C = np.array([h(v + e) - h(v) - h(e) for e in np.eye(t.nv)]) / 2
+    # Another matrix with the same C v and C + C^T: plus a skew matrix that takes v to zero.
+    S = np.zeros((t.nv, t.nv))
+    S[:3, :3] = [[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]]
+    return C - S if OTHER < 0 else C.T + S
+def frame_derivatives(t, q, v, seen, frame):
+    velocity = lambda q: t.frame_motion(q, v, 0 * v, seen[0], frame)[0]
+    both = [np.array([velocity(q + 1e-5 * e) - velocity(q - 1e-5 * e) for e in np.eye(t.nv)]).T / 2e-5,
+            t.frame_jacobian(q, seen[0], frame)]
+    return both[::OTHER]
+CALLS.update({"tree_static_torque": ("q 1 6", "v", static_torque), "tree_coriolis": ("q v", "vv", coriolis),
+              "frame_velocity_derivatives": ("q v 1 8", "12v", frame_derivatives)})
+description["operations"] = {name: ["double"] for name in CALLS}
+description["trees"] = {"models": ["joints"], "joints": ["revolute", "prismatic", "helical"]}
+OTHER = )" +
+         std::string(altered ? "-1\n" : "1\n");
+}
+
+TEST(TreeAdapters, ACheckNamesTheConventionsOfMoreOperations) {
+  const std::string start_of_answers = "answers.write(json.dumps(description)";
+  const auto checked = [&](bool other) {
+    return check(*start(altered(other ? "other" : "same", "adapter.py", start_of_answers,
+                                more_operations(other) + start_of_answers)));
+  };
+  for (const conventions::Finding& f : checked(false).findings) ADD_FAILURE() << f.sentence;
+  std::map<std::string, std::string> said;
+  for (const conventions::Finding& f : checked(true).findings)
+    said[f.operations.at(0)] = f.sentence.substr(f.sentence.rfind(": "));
+  EXPECT_EQ(said, (std::map<std::string, std::string>{
+                      {"frame_velocity_derivatives", ": its two parts are exchanged, 'by q' comes first"},
+                      {"tree_coriolis", ": it is transposed"},
+                      {"tree_static_torque", ": it has the opposite sign"}}));
+}
+
 TEST(TreeAdapters, AWrongCallOfTheProbeWhoseOperationPassesFails) {
   // Only one law has two bodies on a joint, and only for inverse dynamics.
   const std::string adapter =

@@ -66,7 +66,8 @@ struct ColumnForces {
 /// Computes s, w, y, z of every column, and MovingInertia and force of every body, about the origin O of the
 /// joint at the root of its branch. work.r[i], so far the vector from joint p, becomes the vector from O. It is summed along
 /// the tree, so that no digits are lost far from the world's origin or from another root.
-template <Scalar S>
+/// With dynamics = false, MovingInertia and force are left as they are.
+template <bool dynamics = true, Scalar S>
 void ratesOfColumns(const Model<S>& model, Data<S>& data, const VectorX<S>& v, const VectorX<S>& a,
                     const External<S>& fext, const Vector3<S>& gravity) {
   auto& work = data.work;
@@ -95,6 +96,7 @@ void ratesOfColumns(const Model<S>& model, Data<S>& data, const VectorX<S>& v, c
       const RateColumn<S> column_k{work.rates.data() + 24 * k};
       column_k.set(RateColumn<S>::y, crossed(Motion<S>(V[i] + V[p]), column_k.get(RateColumn<S>::s)));
     }
+    if constexpr (!dynamics) continue;
     const Matrix3<S>& R = oMi[i].rotation();
     auto body = CompositeInertia<S>::rotated(R, model.inertias[i]);
     body.c = added(body.c, r);
@@ -214,13 +216,77 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   inverseDynamicsDerivatives<S>(model, data, v, a, fext, &data.M.write(Level::Position));
 }
 
-/// dtau/dq [nv x nv] of computeStaticTorque. Every fext moves with its body. Updates liMi, oMi, M, dtau_dq, dtau_dv.
+/// dtau/dq [nv x nv] of computeStaticTorque. Every fext moves with its body. Updates liMi, oMi, dtau_dq.
+/// At rest y = w = 0 and z = (omega_s x g, 0), so that of the inertia of a subtree only the mass and the first moment appear.
 template <Scalar S>
 const MatrixX<S>& computeStaticTorqueDerivatives(const Model<S>& model, Data<S>& data, In<S> q,
                                                  External<S> fext = {}) {
+  using namespace algorithms_detail;
+  data.require(Dense::Derivatives, "computeStaticTorqueDerivatives");
+  checkForces<S>(model, fext);
+  columnsInWorldAxes(model, data, q);
   const VectorX<S> still = VectorX<S>::Zero(model.nv);
-  computeRNEADerivatives<S>(model, data, q, still, still, fext);
-  return data.dtau_dq();
+  data.begin(model, q, still, still);
+  auto& work = data.work;
+  const auto& oMi = data.oMi();
+  const Vector3<S> up = -model.gravity;
+  S *const columns = work.S_columns.data(), *const rates = work.U.data();  // s about the root's origin, and z
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const std::size_t p = std::size_t(model.parents[i]);
+    work.r[i] = p == 0 ? Vector3<S>(Vector3<S>::Zero()) : added(work.r[p], work.r[i]);
+    const Vector3<S>& r = work.r[i];
+    const Matrix3<S>& R = oMi[i].rotation();
+    const S& mass = work.moving[i].mass = model.inertias[i].mass();
+    const Vector3<S> c = added(product<S>(R, model.inertias[i].lever()), r);
+    const Vector3<S>& h = work.moving[i].h = each<S>([&](int k) { return S(mass * c[k]); });
+    work.force[i] = Force<S>(each<S>([&](int k) { return S(mass * up[k]); }), cross<S>(h, up));
+    if (!fext.empty()) work.force[i] = work.force[i] - act(SE3<S>(R, r), fext[i]);
+    for (int k = model.idx_columns[i]; k < model.idx_columns[i] + model.column_counts[i]; ++k) {
+      S *const s = columns + 6 * k, *const z = rates + 6 * k;
+      const Vector3<S> w(s[3], s[4], s[5]), u = cross<S>(r, w), z_k = cross<S>(up, w);
+      for (int n = 0; n < 3; ++n) s[n] += u[n], z[n] = z_k[n];
+    }
+  }
+  MatrixX<S>& dq = data.dtau_dq.write(Level::Acceleration);
+  const bool mimics = model.has_mimics;
+  if (mimics) dq.setZero();
+  const auto put = [mimics](S & entry, const S& x) __attribute__((always_inline)) {
+    entry = mimics ? S(entry + x) : x;
+  };
+  const auto vector = [](const S* x) __attribute__((always_inline)) {
+    return Vector3<S>(x[0], x[1], x[2]);
+  };
+  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
+    const S& mass = work.moving[j].mass;
+    const Vector3<S>& h = work.moving[j].h;
+    const Force<S>& F = work.force[j];
+    const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
+    for (int k = begin; k < end; ++k) {
+      const int vk = model.column_to_v[std::size_t(k)];
+      const Vector3<S> u = vector(columns + 6 * k), w = vector(columns + 6 * k + 3),
+                       z = vector(rates + 6 * k);
+      Vector3<S> l = each<S>([&](int n) { return S(mass * z[n]); }), moment = cross<S>(h, z);
+      const Vector3<S> w_h = cross<S>(w, h),
+                       I_s = each<S>([&](int n) { return mul_add(mass, u[n], w_h[n]); });
+      const auto project = [&](const S* s) __attribute__((always_inline)) {
+        return S(dot<S>(l, vector(s)) + dot<S>(moment, vector(s + 3)));
+      };
+      for (int m = begin; m < end; ++m)
+        put(dq(model.column_to_v[std::size_t(m)], vk), project(columns + 6 * m));
+      l = added(l, cross<S>(w, F.linear()));
+      moment = added(moment, added(cross<S>(w, F.angular()), cross<S>(u, F.linear())));
+      for (std::size_t i = std::size_t(model.parents[j]); i > 0; i = std::size_t(model.parents[i]))
+        for (int m = model.idx_columns[i]; m < model.idx_columns[i] + model.column_counts[i]; ++m) {
+          const int vm = model.column_to_v[std::size_t(m)];
+          put(dq(vm, vk), project(columns + 6 * m)), put(dq(vk, vm), dot<S>(I_s, vector(rates + 6 * m)));
+        }
+    }
+    const std::size_t p = std::size_t(model.parents[j]);
+    if (p == 0) continue;
+    work.moving[p].mass += mass, work.moving[p].h = added(work.moving[p].h, h);
+    work.force[p] = work.force[p] + F;
+  }
+  return dq;
 }
 
 /// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext). The first two are -M^-1 times

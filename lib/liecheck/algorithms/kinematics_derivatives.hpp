@@ -27,55 +27,78 @@ void computeForwardKinematicsDerivatives(const Model<S>& model, Data<S>& data, I
   columnsInWorldAxes(model, data, q);
   data.begin(model, q, v, a);
   const VectorX<S> speed = v, acceleration = a;
-  ratesOfColumns(model, data, speed, acceleration, External<S>(), Vector3<S>(Vector3<S>::Zero()));
+  ratesOfColumns<false>(model, data, speed, acceleration, External<S>(), Vector3<S>(Vector3<S>::Zero()));
+  // Exchanged with the workspace, which every algorithm fills before it reads.
   MotionRates<S>& rates = data.motion_rates.write(Level::Acceleration);
-  rates.columns = data.work.rates;
-  rates.velocity = data.work.bias, rates.acceleration = data.work.gravitated, rates.from_root = data.work.r;
+  auto& work = data.work;
+  rates.columns.resize(24, model.ncolumns), rates.columns.swap(work.rates);
+  const auto exchange = [n = model.joints.size()](auto& to, auto& from) {
+    to.resize(n, from[0]), to.swap(from);
+  };
+  exchange(rates.velocity, work.bias), exchange(rates.acceleration, work.gravitated),
+      exchange(rates.from_root, work.r);
 }
 
 namespace algorithms_detail {
 
-/// The derivatives of one column: of V and A by q, of A by v, and of V by v.
-template <class S>
-struct MotionDerivatives {
-  Motion<S> velocity_q, acceleration_q, acceleration_v, velocity_v;
-};
-/// Calls f(index in v, MotionDerivatives) for each supporting column of a frame.
+/// Calls f(index in v, s, w, z, y) for each supporting column of a frame, all about one point that is `at` [m] from the origin
+/// of the root of the branch.
 template <Scalar S, class F>
-void forEachMotionDerivative(const Model<S>& model, const Data<S>& data, const Placed<S>& frame,
-                             ReferenceFrame reference, F f) {
-  const MotionRates<S>& rates = data.motion_rates();
-  const auto& oMi = data.oMi();
-  const Matrix3<S>& R = oMi[frame.joint].rotation();
-  const Vector3<S> lever = R * frame.X_JF.translation(), at = rates.from_root[frame.joint] + lever,
-                   to_world = -(oMi[frame.joint].translation() + lever);
-  const Matrix3<S> R_WF = R * frame.X_JF.rotation();
-  const Motion<S> V = shifted(rates.velocity[frame.joint], at),
-                  A = shifted(rates.acceleration[frame.joint], at);
-  const auto local = [&](const Motion<S>& m) -> Motion<S> {
-    return {Vector3<S>(R_WF.transpose() * m.linear()), Vector3<S>(R_WF.transpose() * m.angular())};
-  };
-  const auto turned = [](const Motion<S>& s, const Motion<S>& m) -> Motion<S> {
-    return {Vector3<S>(cross<S>(s.angular(), m.linear())), Vector3<S>(cross<S>(s.angular(), m.angular()))};
-  };
-  for (std::size_t i = frame.joint; i > 0; i = std::size_t(model.parents[i])) {
+[[gnu::always_inline]] inline void forEachRate(const Model<S>& model, const MotionRates<S>& rates,
+                                               std::size_t joint, const Vector3<S>& at, F f) {
+  for (std::size_t i = joint; i > 0; i = std::size_t(model.parents[i])) {
     const int begin = model.idx_columns[i], end = begin + model.column_counts[i];
     for (int k = begin; k < end; ++k) {
       const RateColumn<S> column{const_cast<S*>(rates.columns.data()) + 24 * k};
-      const auto get = [&](int first) { return shifted(column.get(first), at); };
-      const Motion<S> s = get(RateColumn<S>::s), w = get(RateColumn<S>::w), z = get(RateColumn<S>::z), d = w,
-                      D = z + crossed(w, V), y = get(RateColumn<S>::y) + crossed(s, V);
-      MotionDerivatives<S> all{d, D, y, s};
-      if (reference == ReferenceFrame::LOCAL)
-        all = {local(d), local(D), local(y), local(s)};
-      else if (reference == ReferenceFrame::LOCAL_WORLD_ALIGNED)
-        all = {d + turned(s, V), D + turned(s, A), y, s};
-      else
-        all = {shifted(d + crossed(s, V), to_world), shifted(D + crossed(s, A), to_world),
-               shifted(y, to_world), shifted(s, to_world)};
-      f(model.column_to_v[std::size_t(k)], all);
+      f(
+          model.column_to_v[std::size_t(k)], [&](int first) __attribute__((always_inline)) {
+            return shifted(column.get(first), at);
+          });
     }
   }
+}
+template <Scalar S>
+[[gnu::always_inline]] inline Motion<S> sum(const Motion<S>& a, const Motion<S>& b) {
+  return {added(a.linear(), b.linear()), added(a.angular(), b.angular())};
+}
+/// A frame's motions in the reference that is fixed when the code is compiled, and the changes of columns to it.
+template <ReferenceFrame reference, Scalar S>
+struct FrameRates {
+  const MotionRates<S>& rates;
+  Matrix3<S> R_WF;
+  Vector3<S> at;  ///< of the point of the reference; of the frame in LOCAL
+  Motion<S> V, A;
+  FrameRates(const Data<S>& data, const Placed<S>& frame) : rates(data.motion_rates()) {
+    const SE3<S>& X = data.oMi()[frame.joint];
+    const Vector3<S>& r = rates.from_root[frame.joint];
+    R_WF = product<S>(X.rotation(), frame.X_JF.rotation());
+    at = reference == ReferenceFrame::WORLD ? Vector3<S>(r - X.translation())
+                                            : added(r, product<S>(X.rotation(), frame.X_JF.translation()));
+    V = shifted(rates.velocity[frame.joint], at), A = shifted(rates.acceleration[frame.joint], at);
+  }
+  /// Adds m to column k of a matrix.
+  template <class Out>
+  [[gnu::always_inline]] void put(Out& to, int k, const Motion<S>& m) const {
+    S* const numbers = &to.coeffRef(0, k);
+    Vector3<S> u = m.linear(), w = m.angular();
+    if constexpr (reference == ReferenceFrame::LOCAL)
+      u = transposed_product<S>(R_WF, u), w = transposed_product<S>(R_WF, w);
+    for (int i = 0; i < 3; ++i) numbers[i] += u[i], numbers[3 + i] += w[i];
+  }
+  /// What the reference adds to the change d that an observer sees who moves with the subtree, of a motion M.
+  [[gnu::always_inline]] Motion<S> seen(const Motion<S>& d, const Motion<S>& s, const Motion<S>& M) const {
+    if constexpr (reference == ReferenceFrame::LOCAL) return d;
+    if constexpr (reference == ReferenceFrame::WORLD) return sum(d, crossed(s, M));
+    return {added(d.linear(), cross<S>(s.angular(), M.linear())),
+            added(d.angular(), cross<S>(s.angular(), M.angular()))};
+  }
+};
+/// f(FrameRates) in the reference.
+template <Scalar S, class F>
+void inReference(const Data<S>& data, const Placed<S>& frame, ReferenceFrame reference, F f) {
+  if (reference == ReferenceFrame::WORLD) return f(FrameRates<ReferenceFrame::WORLD, S>(data, frame));
+  if (reference == ReferenceFrame::LOCAL) return f(FrameRates<ReferenceFrame::LOCAL, S>(data, frame));
+  f(FrameRates<ReferenceFrame::LOCAL_WORLD_ALIGNED, S>(data, frame));
 }
 
 }  // namespace algorithms_detail
@@ -87,8 +110,13 @@ void getFrameVelocityDerivatives(const Model<S>& model, const Data<S>& data, int
                                  ReferenceFrame reference, JacobianOut<S> dV_dq, JacobianOut<S> dV_dv) {
   using namespace algorithms_detail;
   Eigen::Ref<Matrix6X<S>> by_q = cleared(model, dV_dq), by_v = cleared(model, dV_dv);
-  forEachMotionDerivative(model, data, placedFrame(model, data, frame), reference, [&](int k, const auto& d) {
-    by_q.col(k) += d.velocity_q.to_vector(), by_v.col(k) += d.velocity_v.to_vector();
+  const Placed<S> F = placedFrame(model, data, frame);
+  inReference(data, F, reference, [&](const auto& x) {
+    forEachRate(
+        model, x.rates, F.joint, x.at, [&](int k, auto get) __attribute__((always_inline)) {
+          const Motion<S> s = get(RateColumn<S>::s);
+          x.put(by_q, k, x.seen(get(RateColumn<S>::w), s, x.V)), x.put(by_v, k, s);
+        });
   });
 }
 /// dA/dq, dA/dv and dA/da [6 x nv] of the spatial acceleration of a frame, as getFrameAcceleration gives it. Throws as above.
@@ -100,9 +128,15 @@ void getFrameAccelerationDerivatives(const Model<S>& model, const Data<S>& data,
   using namespace algorithms_detail;
   Eigen::Ref<Matrix6X<S>> by_q = cleared(model, dA_dq), by_v = cleared(model, dA_dv),
                           by_a = cleared(model, dA_da);
-  forEachMotionDerivative(model, data, placedFrame(model, data, frame), reference, [&](int k, const auto& d) {
-    by_q.col(k) += d.acceleration_q.to_vector(), by_v.col(k) += d.acceleration_v.to_vector(),
-        by_a.col(k) += d.velocity_v.to_vector();
+  const Placed<S> F = placedFrame(model, data, frame);
+  inReference(data, F, reference, [&](const auto& x) {
+    forEachRate(
+        model, x.rates, F.joint, x.at, [&](int k, auto get) __attribute__((always_inline)) {
+          const Motion<S> s = get(RateColumn<S>::s),
+                          D = sum(get(RateColumn<S>::z), crossed(get(RateColumn<S>::w), x.V));
+          x.put(by_q, k, x.seen(D, s, x.A)), x.put(by_v, k, sum(get(RateColumn<S>::y), crossed(s, x.V))),
+              x.put(by_a, k, s);
+        });
   });
 }
 

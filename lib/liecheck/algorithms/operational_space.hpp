@@ -15,15 +15,19 @@ Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, 
                                           ReferenceFrame reference) {
   using namespace algorithms_detail;
   computeJointJacobians(model, data, q);
-  const Matrix6X<S> J = getFrameJacobian(model, data, frame, reference);
+  Matrix6X<S> Y = getFrameJacobian(model, data, frame, reference);
   crba(model, data, q);
   factorize(model, data);
-  Matrix6<S> K;
-  VectorX<S> x(model.nv);
-  for (int i = 0; i < 6; ++i) {
-    x = J.row(i).transpose();
-    solve(model, data, x);
-    K.col(i) = J * x;
+  // K = Y Y^T with Y = J L^-1 of M = L^T L, row k of which is on the path of k: columns of zeros, off the frame's path, stay.
+  Matrix6<S> K = Matrix6<S>::Zero();
+  const int *const path = data.work.path.data(), *const row = data.work.row.data();
+  const S* const L_ = data.work.factor.data();
+  for (int k = model.nv - 1; k >= 0; --k) {
+    if (Y.col(k).isZero(S(0))) continue;
+    const int end = row[k] + data.work.depth[std::size_t(k)];
+    const Vector6<S> y = Y.col(k) / L_[end];
+    for (int t = row[k]; t < end; ++t) Y.col(path[t]) -= L_[t] * y;
+    for (int i = 0; i < 6; ++i) K.col(i) += y[i] * y;
   }
   // Scaled to a unit diagonal: forces and moments have other units.
   Vector6<S> scale;

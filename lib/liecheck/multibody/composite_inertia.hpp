@@ -43,6 +43,14 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
+  /// Adds the mass and the centre of another inertia, as join, and leaves I_C.
+  [[gnu::always_inline]] void joinCentre(const CompositeInertia& other, const Vector3<S>& r,
+                                         JoinedMass<S>& joined) {
+    joined.join(mass, other.mass);
+    mass = joined.total;
+    for (int i = 0; i < 3; ++i)
+      c[i] = mul_add(joined.first_share, c[i], S(joined.second_share * S(other.c[i] + r[i])));
+  }
   /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the pair's mass ratios.
   ///   t = m_2/(m + m_2),  d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)
   /// c += t d would be less accurate: the rounding error of d is large if a light body is far away.

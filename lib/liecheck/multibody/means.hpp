@@ -58,14 +58,15 @@ Vector4<S> largestEigenvector(Eigen::Matrix<S, 4, 4> M) {
 /// zero or a weight is not positive. Source: Markley et al. 2007, eq. 12.
 template <Scalar S, std::size_t N>
 SO3<S> chordalMean(const std::array<SO3<S>, N>& all, const Eigen::Matrix<S, int(N), 1>& weights) {
-
   means_detail::requirePositive(weights);
   // Of the rotations as seen from the first, so that a small spread is known to eps of itself.
   const SO3<S> first = all[0].normalized();
   Eigen::Matrix<S, 4, 4> M = Eigen::Matrix<S, 4, 4>::Zero();
+  const S sum = weights.sum();
   for (std::size_t i = 0; i < N; ++i) {
     const Vector4<S> q = (first.inverse() * all[i].normalized()).to_vector();
-    M += S(weights[int(i)] / weights.sum()) * (q * q.transpose());
+    const S share = weights[int(i)] / sum;
+    for (int k = 0; k < 4; ++k) M.col(k) += share * Vector4<S>(q * q[k]);
   }
   return (first * SO3<S>(means_detail::largestEigenvector<S>(M))).normalized();
 }

@@ -51,24 +51,31 @@ Matrix9<S> blocks(const Matrix3<S>& J, const Matrix3<S>& A, const Matrix3<S>& B)
 template <Scalar S>
 ExtendedPose<S> exp9(const Vector9<S>& xi) {
   using extended_pose_detail::part;
-  const SE3<S> X = exp6<S>(Motion<S>(part(xi, 0), part(xi, 2))),
-               Y = exp6<S>(Motion<S>(part(xi, 1), part(xi, 2)));
-  return {X.rotation(), X.translation(), Y.translation()};
+  const Vector3<S> rho = part(xi, 0), nu = part(xi, 1), phi = part(xi, 2);
+  return with_coefficients<S, Precision::standard>(
+      phi, [&](const auto& k) __attribute__((always_inline)) {
+        return ExtendedPose<S>{exp_log_detail::matrix(k), exp_log_detail::arc(k, rho),
+                               exp_log_detail::arc(k, nu)};
+      });
 }
 /// (rho, nu, phi) of X, |phi| <= pi. Error 3 eps of phi, 4 eps of rho and of nu.
 template <Scalar S>
 Vector9<S> log9(const ExtendedPose<S>& X) {
-  const Motion<S> x = log6<S>(SE3<S>(X.R, X.p)), y = log6<S>(SE3<S>(X.R, X.v));
-  return (Vector9<S>() << x.linear(), y.linear(), x.angular()).finished();
+  const exp_log_detail::RotationLogarithm<S> l(SO3<S>::doubleWordsFromMatrix(X.R));
+  const Vector3<S> rho = l.arc(X.p), nu = l.arc(X.v);
+  Vector9<S> xi;
+  for (int i = 0; i < 3; ++i) xi[i] = rho[i], xi[3 + i] = nu[i], xi[6 + i] = l.phi[i];
+  return xi;
 }
 /// The left Jacobian [9 x 9] of exp9: [[J, 0, C(rho, phi)], [0, J, C(nu, phi)], [0, 0, J]], with the bounds of that of SE(3).
 template <Scalar S>
 Matrix9<S> leftJacobian(const Vector9<S>& xi) {
   using extended_pose_detail::part;
-  const Matrix6<S> x = leftJacobian<S>(Motion<S>(part(xi, 0), part(xi, 2))),
-                   y = leftJacobian<S>(Motion<S>(part(xi, 1), part(xi, 2)));
-  return extended_pose_detail::blocks<S>(x.template topLeftCorner<3, 3>(), x.template topRightCorner<3, 3>(),
-                                         y.template topRightCorner<3, 3>());
+  const Vector3<S> rho = part(xi, 0), nu = part(xi, 1), phi = part(xi, 2);
+  return jacobian_detail::with_left_jacobian<S, Precision::standard>(
+      phi, [&](const auto& b) __attribute__((always_inline)) {
+        return extended_pose_detail::blocks<S>(b.block(), b.coupling(rho), b.coupling(nu));
+      });
 }
 template <Scalar S>
 Matrix9<S> rightJacobian(const Vector9<S>& xi) {
@@ -77,7 +84,10 @@ Matrix9<S> rightJacobian(const Vector9<S>& xi) {
 /// Ad_X [9 x 9]: X exp(xi) X^-1 = exp(Ad_X xi). Error 2 eps.
 template <Scalar S>
 Matrix9<S> adjoint(const ExtendedPose<S>& X) {
-  return extended_pose_detail::blocks<S>(X.R, Matrix3<S>(skew<S>(X.p) * X.R), Matrix3<S>(skew<S>(X.v) * X.R));
+  const auto moved = [&X](const Vector3<S>& p) __attribute__((always_inline)) {
+    return product<S>(skew<S>(p), X.R);
+  };
+  return extended_pose_detail::blocks<S>(X.R, moved(X.p), moved(X.v));
 }
 
 }  // namespace liecheck

@@ -65,18 +65,22 @@ class Motion : public SpatialVector<Motion<S>, S> {
 
   /// ad_V, 6 x 6, with ad_V W = cross(W): [[omega], [u]; 0, [omega]]. The entries are those of u [m/s] and omega
   /// [rad/s], exactly, and their negatives; V and W are in the same axes with the same reference point.
-  Matrix6<S> toActionMatrix() const { return blocks(Matrix3<S>(skew<S>(linear())), Matrix3<S>::Zero()); }
+  Matrix6<S> toActionMatrix() const { return blocks(0, 3); }
   /// ad_V* = -ad_V^T, 6 x 6, with ad_V* F = cross(F): [[omega], 0; [u], [omega]], exactly.
-  Matrix6<S> toDualActionMatrix() const { return blocks(Matrix3<S>::Zero(), Matrix3<S>(skew<S>(linear()))); }
+  Matrix6<S> toDualActionMatrix() const { return blocks(3, 0); }
 
   /// Power F^T V [W]: the same in every frame.
   S dot(const Force<S>& F) const;
 
  private:
-  /// [[omega], upper; lower, [omega]].
-  Matrix6<S> blocks(const Matrix3<S>& upper, const Matrix3<S>& lower) const {
-    Matrix6<S> ad;
-    ad << skew<S>(angular()), upper, lower, skew<S>(angular());
+  /// [omega] in both diagonal blocks, [u] in the block at (row, column).
+  [[gnu::always_inline]] Matrix6<S> blocks(int row, int column) const {
+    Matrix6<S> ad = Matrix6<S>::Zero();
+    const auto put = [&ad](int i, int j, const Vector3<S>& v) __attribute__((always_inline)) {
+      ad(i, j + 1) = -v[2], ad(i, j + 2) = v[1], ad(i + 1, j) = v[2];
+      ad(i + 1, j + 2) = -v[0], ad(i + 2, j) = -v[1], ad(i + 2, j + 1) = v[0];
+    };
+    put(0, 0, angular()), put(3, 3, angular()), put(row, column, linear());
     return ad;
   }
 };

@@ -38,42 +38,81 @@ struct Integral {
   Integral(const std::array<S, 7>& c, int k, const S& first, const Vector3<S>& phi, const Vector3<S>& a) {
     const auto at = [&](int i) { return c[std::size_t(i)]; };
     const auto slope = [&](int i) { return S((S(i) * at(i + 2) - at(i + 1)) / S(2)); };  // d c_i / d theta^2
-    const Matrix3<S> P = skew<S>(phi);
+    const S &c1 = at(k), &c2 = at(k + 1), s1 = S(2) * slope(k), s2 = S(2) * slope(k + 1),
+            along = c2 * dot<S>(phi, a);
     const Vector3<S> once = cross<S>(phi, a), twice = cross<S>(phi, once);
-    value = first * a + at(k) * once + at(k + 1) * twice;
-    matrix = first * Matrix3<S>::Identity() + at(k) * P + at(k + 1) * P * P;
-    by_phi = -at(k) * skew<S>(a) +
-             at(k + 1) *
-                 (S(phi.dot(a)) * Matrix3<S>::Identity() + phi * a.transpose() - S(2) * a * phi.transpose()) +
-             S(2) * (slope(k) * once + slope(k + 1) * twice) * phi.transpose();
+    const Vector3<S> moved = each<S>([&](int i) { return S(c2 * phi[i]); });
+    // The factor of phi^T in by_phi.
+    const Vector3<S> rate =
+        each<S>([&](int i) { return mul_add(s1, once[i], S(s2 * twice[i] - S(2) * c2 * a[i])); });
+    value = each<S>([&](int i) { return mul_add(first, a[i], mul_add(c1, once[i], S(c2 * twice[i]))); });
+    const auto fill =
+        [](const S& d0, const S& d1, const S& d2, const S& by, const Vector3<S>& v, const Vector3<S>& x,
+           const Vector3<S>& y, const Vector3<S>& z, const Vector3<S>& w) __attribute__((always_inline)) {
+      // diag(d) + by [v] + x y^T + z w^T
+      const auto entry = [&](int i, int j, const S& n) __attribute__((always_inline)) {
+        return mul_add(x[i], y[j], mul_add(z[i], w[j], n));
+      };
+      const S v0 = by * v[0], v1 = by * v[1], v2 = by * v[2];
+      return rows<S>(entry(0, 0, d0), entry(0, 1, S(-v2)), entry(0, 2, v1), entry(1, 0, v2), entry(1, 1, d1),
+                     entry(1, 2, S(-v0)), entry(2, 0, S(-v1)), entry(2, 1, v0), entry(2, 2, d2));
+    };
+    const S xx = moved[0] * phi[0], yy = moved[1] * phi[1], zz = moved[2] * phi[2];
+    const auto quadratic = [&](int i, int j) __attribute__((always_inline)) {
+      return S(moved[i] * phi[j]);
+    };
+    matrix = rows<S>(first - (yy + zz), quadratic(0, 1) - c1 * phi[2], quadratic(0, 2) + c1 * phi[1],
+                     quadratic(0, 1) + c1 * phi[2], first - (xx + zz), quadratic(1, 2) - c1 * phi[0],
+                     quadratic(0, 2) - c1 * phi[1], quadratic(1, 2) + c1 * phi[0], first - (xx + yy));
+    by_phi = fill(along, along, along, S(-c1), a, moved, a, rate, phi);
   }
 };
 
 template <bool exact, Scalar S, std::size_t N>
 Preintegrated<S> preintegrated(const Eigen::Matrix<S, int(3 * N), 1>& gyro,
                                const Eigen::Matrix<S, int(3 * N), 1>& accelerometer, const S& dt) {
+  // Entry by entry: blocks of Eigen that were just written would be loaded again.
+  const auto scaled_sum =
+      [](const Matrix3<S>& A, const S& b, const Matrix3<S>& B) __attribute__((always_inline)) {
+    Matrix3<S> m;
+    for (int i = 0; i < 9; ++i) m.data()[i] = mul_add(b, B.data()[i], A.data()[i]);
+    return m;
+  };
   Preintegrated<S> x;
+  const S square = dt * dt;
   for (int n = 0; n < int(N); ++n) {
     const Vector3<S> phi = dt * gyro.template segment<3>(3 * n), a = accelerometer.template segment<3>(3 * n);
     const Matrix3<S> R = x.delta.R;
     Vector3<S> once = a, twice = a / S(2);
-    Matrix3<S> G1 = Matrix3<S>::Identity(), G2 = G1 / S(2), once_phi = Matrix3<S>::Zero(),
-               twice_phi = once_phi;
+    x.p_g = scaled_sum(x.p_g, dt, x.v_g), x.p_a = scaled_sum(x.p_a, dt, x.v_a);
     if constexpr (exact) {
       const auto c = stumpff_functions<S>(phi.squaredNorm());
       const Integral<S> first(c, 2, S(1), phi, a), second(c, 3, S(1) / S(2), phi, a);
-      once = first.value, G1 = first.matrix, once_phi = first.by_phi;
-      twice = second.value, G2 = second.matrix, twice_phi = second.by_phi;
+      once = first.value, twice = second.value;
+      x.p_g = scaled_sum(x.p_g, S(-square),
+                         product<S>(R, scaled_sum(product<S>(skew<S>(twice), x.R_g), dt, second.by_phi)));
+      x.v_g = scaled_sum(x.v_g, S(-dt),
+                         product<S>(R, scaled_sum(product<S>(skew<S>(once), x.R_g), dt, first.by_phi)));
+      x.p_a = scaled_sum(x.p_a, S(-square), product<S>(R, second.matrix));
+      x.v_a = scaled_sum(x.v_a, S(-dt), product<S>(R, first.matrix));
+    } else {
+      const Matrix3<S> turned = product<S>(R, product<S>(skew<S>(a), x.R_g));
+      x.p_g = scaled_sum(x.p_g, S(-square / S(2)), turned), x.v_g = scaled_sum(x.v_g, S(-dt), turned);
+      x.p_a = scaled_sum(x.p_a, S(-square / S(2)), R), x.v_a = scaled_sum(x.v_a, S(-dt), R);
     }
-    x.p_g += dt * x.v_g - dt * dt * (R * (skew<S>(twice) * x.R_g + dt * twice_phi));
-    x.p_a += dt * x.v_a - dt * dt * (R * G2);
-    x.v_g -= dt * (R * (skew<S>(once) * x.R_g + dt * once_phi));
-    x.v_a -= dt * (R * G1);
-    const Matrix3<S> step = exp3<S>(phi);
-    x.R_g = step.transpose() * x.R_g - dt * rightJacobian<S>(phi);
-    x.delta.p += dt * x.delta.v + dt * dt * (R * twice);
-    x.delta.v += dt * (R * once);
-    x.delta.R = R * step;
+    // exp [phi] and J_r(phi) = I - c2 [phi] + c3 [phi]^2.
+    with_coefficients<S, Precision::standard>(phi, [&](const auto& k) {
+      const Matrix3<S> step = exp_log_detail::matrix(k);
+      x.R_g = scaled_sum(transposed_product<S>(step, x.R_g), S(-dt),
+                         exp_log_detail::quadratic<S>(k.axis, S(-k.k2), k.k3));
+      x.delta.R = product<S>(R, step);
+      return 0;
+    });
+    const Vector3<S> moved = product<S>(R, twice), pushed = product<S>(R, once);
+    for (int i = 0; i < 3; ++i) {
+      x.delta.p[i] += mul_add(dt, x.delta.v[i], S(square * moved[i]));
+      x.delta.v[i] += dt * pushed[i];
+    }
   }
   return x;
 }

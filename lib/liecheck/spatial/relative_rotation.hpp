@@ -16,11 +16,20 @@ namespace relative_rotation_detail {
 
 /// |v| [unit of v] without overflow or underflow of |v|^2. Error 3 eps.
 template <Scalar S, int N>
-S length(const Eigen::Matrix<S, N, 1>& v) {
+[[gnu::noinline]] S scaledLength(const Eigen::Matrix<S, N, 1>& v) {
   using std::sqrt;
   const S scale = v.cwiseAbs().maxCoeff();
   if (!(scale > S(0)) || !finite<S>(scale)) return scale;
   return scale * S(sqrt(Eigen::Matrix<S, N, 1>(v / scale).squaredNorm()));
+}
+/// The same, scaled only where the sum of squares is not accurate. Error 2 eps.
+template <Scalar S, int N>
+[[gnu::always_inline]] inline S length(const Eigen::Matrix<S, N, 1>& v) {
+  using std::sqrt;
+  const S square = unit_vector_detail::square<S, N>(v);
+  if (unit_vector_detail::squareIsAccurate<S>(square)) [[likely]]
+    return sqrt(square);
+  return scaledLength<S, N>(v);
 }
 /// A unit vector that is perpendicular to the unit vector a. Error 3 eps.
 template <Scalar S>
@@ -51,7 +60,7 @@ S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
   S w = a.dot(b);
   if (w < S(0)) b = -b, w = -w;
   const Vector3<S> v = (Q0.inverse() * SO3<S>(Vector4<S>(b - a))).vec();
-  return S(2) * S(atan2(relative_rotation_detail::length<S, 3>(v), w));
+  return S(2) * S(atan2(relative_rotation_detail::scaledLength<S, 3>(v), w));
 }
 
 /// The angle [rad] by which Q = (v, w) turns about `axis` [3], in [-pi, pi]: 2 atan2(v . axis/|axis|, w), that of
@@ -61,7 +70,7 @@ S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
 template <Scalar S>
 S twistAngle(const SO3<S>& Q, const Vector3<S>& axis) {
   using std::atan2;
-  const S s = dot<S>(Q.vec(), axis), w = Q.w() * relative_rotation_detail::length<S, 3>(axis);
+  const S s = dot<S>(Q.vec(), axis), w = Q.w() * relative_rotation_detail::scaledLength<S, 3>(axis);
   return w < S(0) ? S(S(2) * S(atan2(S(-s), S(-w)))) : S(S(2) * S(atan2(s, w)));
 }
 
@@ -91,7 +100,8 @@ SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
   const bool acute = S(0) < dot<S>(from, to);
   const Vector3<S> c = acute ? cross<S>(from, minus) : cross<S>(from, plus),
                    n = perpendicularPart<S>(c, from);
-  return SO3<S>(Vector3<S>((length<S, 3>(minus) / S(2)) * n), S(length<S, 3>(plus) / S(2))).normalized();
+  return SO3<S>(Vector3<S>((scaledLength<S, 3>(minus) / S(2)) * n), S(scaledLength<S, 3>(plus) / S(2)))
+      .normalized();
 }
 
 /// The angle [rad] between two directions a and b [3], not zero, in [0, pi]: atan2(|a x b|, a . b). a x b is a x (b - a), or
@@ -111,15 +121,18 @@ S angleBetween(const Vector3<S>& a, const Vector3<S>& b) {
 /// directions eps/(pi - theta). Throws std::invalid_argument if a or b is zero. Source: Shoemake 1985, section 3.3.
 template <Scalar S>
 Vector3<S> slerp(const Vector3<S>& a, const Vector3<S>& b, const S& t) {
-  using std::cos, std::sin;
+  using std::atan2, std::cos, std::sin;
   using namespace relative_rotation_detail;
   if (S(1) / S(2) < t) return slerp<S>(b, a, S(S(1) - t));
   const Vector3<S> from = normalizedUnit<S, 3>(a), to = normalizedUnit<S, 3>(b);
   const bool acute = S(0) < dot<S>(from, to);
-  const Vector3<S> difference = acute ? Vector3<S>(to - from) : Vector3<S>(to + from),
-                   across =
-                       perpendicularPart<S>(Vector3<S>(difference - dot<S>(from, difference) * from), from);
-  const S at = t * angleBetween<S>(from, to);
+  const Vector3<S> minus = to - from, plus = to + from, difference = acute ? minus : plus,
+                   part = difference - dot<S>(from, difference) * from;
+  // A part that is small in the difference has rounding errors along `from`.
+  const Vector3<S> across = dot<S>(difference, difference) < S(4) * dot<S>(part, part)
+                                ? normalizedUnit<S, 3>(part)
+                                : perpendicularPart<S>(part, from);
+  const S at = t * (S(2) * S(atan2(length<S, 3>(minus), length<S, 3>(plus))));
   return normalizedUnit<S, 3>(Vector3<S>(S(cos(at)) * from + S(sin(at)) * across));
 }
 

@@ -27,7 +27,62 @@ struct AxisAngle {
 /// positive. Error 2 eps of the rotation, 4 eps of the norm. Source: Shepperd 1978.
 template <Scalar S>
 SO3<S> toQuaternion(const Matrix3<S>& R) {
-  return SO3<S>(normalizedUnit<S, 4>(SO3<S>::fromMatrix(R).to_vector()));
+  // As SO3::fromMatrix, with E = R^T R - I to eps instead of eps^2, and with what a sum a + b loses added to the small terms
+  // of C = -R E/2.
+  const auto gram = [&R](int i, int j) __attribute__((always_inline)) {
+    return mul_add(R(0, i), R(0, j), mul_add(R(1, i), R(1, j), S(R(2, i) * R(2, j) - S(i == j ? 1 : 0))));
+  };
+  const S half = S(-1) / S(2), xx = half * gram(0, 0), yy = half * gram(1, 1), zz = half * gram(2, 2),
+          xy = half * gram(0, 1), yz = half * gram(1, 2), zx = half * gram(2, 0);
+  const auto sum = [](const S& a, const S& b, const S& small) __attribute__((always_inline)) {
+    const auto [high, low] = two_sum<S>(a, b);
+    return S(high + (low + small));
+  };
+  const auto unit = [](const S& x, const S& y, const S& z, const S& w) __attribute__((always_inline)) {
+    using std::sqrt;
+    const S by = S(1) / S(sqrt(S((x * x + y * y) + (z * z + w * w))));
+    return SO3<S>(Vector4<S>(by * x, by * y, by * z, by * w));
+  };
+  const auto C = [&](int i, const S& x, const S& y, const S& z)
+      __attribute__((always_inline)) {  // a column of E
+    return mul_add(R(i, 0), x, mul_add(R(i, 1), y, S(R(i, 2) * z)));
+  };
+  const S Cxx = C(0, xx, xy, zx), Cyy = C(1, xy, yy, yz), Czz = C(2, zx, yz, zz);
+  const S &X = R(0, 0), &Y = R(1, 1), &Z = R(2, 2);
+  // C_32 - C_23 and so on, as sums that vanish with the angle.
+  const auto turn = [&](int i, int j, int k, const S& Eij, const S& Eik, const S& Ejk, const S& Ejj,
+                        const S& Ekk) __attribute__((always_inline)) {
+    return sum(
+        R(k, j), S(-R(j, k)),
+        (R(k, i) * Eij - R(j, i) * Eik) + (Ejk * (R(k, k) - R(j, j)) + (R(k, j) * Ejj - R(j, k) * Ekk)));
+  };
+  const auto turn_x = [&]() __attribute__((always_inline)) {
+    return turn(0, 1, 2, xy, zx, yz, yy, zz);
+  };
+  const auto turn_y = [&]() __attribute__((always_inline)) {
+    return turn(1, 2, 0, yz, xy, zx, zz, xx);
+  };
+  const auto turn_z = [&]() __attribute__((always_inline)) {
+    return turn(2, 0, 1, zx, yz, xy, xx, yy);
+  };
+  const auto pivot = [&](const S& a, const S& b, const S& c, const S& small) __attribute__((always_inline)) {
+    const auto first = two_sum<S>(S(1), a), last = two_sum<S>(b, c);
+    return sum(first.high, last.high, S(first.low + (last.low + small)));
+  };
+  if (X + Y + Z > S(0)) return unit(turn_x(), turn_y(), turn_z(), pivot(X, Y, Z, (Cxx + Cyy) + Czz));
+  const auto pair_xy = [&]() __attribute__((always_inline)) {
+    return sum(R(0, 1), R(1, 0), C(0, xy, yy, yz) + C(1, xx, xy, zx));
+  };
+  const auto pair_yz = [&]() __attribute__((always_inline)) {
+    return sum(R(1, 2), R(2, 1), C(1, zx, yz, zz) + C(2, xy, yy, yz));
+  };
+  const auto pair_zx = [&]() __attribute__((always_inline)) {
+    return sum(R(2, 0), R(0, 2), C(2, xx, xy, zx) + C(0, zx, yz, zz));
+  };
+  if (Z > (X < Y ? Y : X))
+    return unit(pair_zx(), pair_yz(), pivot(Z, S(-X), S(-Y), Czz - Cxx - Cyy), turn_z());
+  if (X < Y) return unit(pair_xy(), pivot(Y, S(-Z), S(-X), Cyy - Czz - Cxx), pair_yz(), turn_y());
+  return unit(pivot(X, S(-Y), S(-Z), Cxx - Cyy - Czz), pair_xy(), pair_zx(), turn_x());
 }
 
 /// Axis and angle of Q: theta = 2 atan2(|v|, |w|) in [0, pi], n = sgn(w) v/|v|. The axis of the identity is x. Error 3 eps
@@ -47,8 +102,8 @@ AxisAngle<S> toAxisAngle(const SO3<S>& Q) {
 template <Scalar S>
 SO3<S> fromAxisAngle(const AxisAngle<S>& turn) {
   using std::cos, std::sin;
-  const S half = turn.angle / S(2);
-  return SO3<S>(Vector3<S>(S(sin(half)) * turn.axis), S(cos(half)));
+  const S half = turn.angle / S(2), s = S(sin(half)), c = S(cos(half));
+  return SO3<S>(Vector4<S>(s * turn.axis[0], s * turn.axis[1], s * turn.axis[2], c));
 }
 
 /// Gibbs parameters v/w of Q. Error 1 eps. Throws std::invalid_argument if w = 0, at theta = pi.

@@ -80,13 +80,15 @@ class SE3 {
   /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
   [[gnu::always_inline]] Matrix6<S> toActionMatrix() const {
     Matrix6<S> X;
-    column(X, 0, 3, 0), column(X, 0, 3, 1), column(X, 0, 3, 2);
+    diagonal(X), X.template bottomLeftCorner<3, 3>().setZero();
+    for (int j = 0; j < 3; ++j) put(X, 0, 3 + j, cross<S>(p_, Vector3<S>(R_(0, j), R_(1, j), R_(2, j))));
     return X;
   }
   /// X^-T, 6 x 6, with F_A = X^-T F_B: [R, 0; [p] R, R].
   [[gnu::always_inline]] Matrix6<S> toDualActionMatrix() const {
     Matrix6<S> X;
-    column(X, 3, 0, 0), column(X, 3, 0, 1), column(X, 3, 0, 2);
+    diagonal(X), X.template topRightCorner<3, 3>().setZero();
+    for (int j = 0; j < 3; ++j) put(X, 3, j, cross<S>(p_, Vector3<S>(R_(0, j), R_(1, j), R_(2, j))));
     return X;
   }
 
@@ -96,13 +98,12 @@ class SE3 {
   }
 
  private:
-  /// Writes columns j and 3 + j of X: R to the diagonal blocks, [p] R to (row, column), 0 to the fourth.
-  [[gnu::always_inline]] void column(Matrix6<S>& X, int row, int column, int j) const {
-    const S &x = R_(0, j), &y = R_(1, j), &z = R_(2, j);
-    const Vector3<S> l = cross<S>(p_, Vector3<S>(x, y, z));
-    X(0, j) = X(3, 3 + j) = x, X(1, j) = X(4, 3 + j) = y, X(2, j) = X(5, 3 + j) = z;
-    X(row, column + j) = l[0], X(row + 1, column + j) = l[1], X(row + 2, column + j) = l[2];
-    X(column, row + j) = X(column + 1, row + j) = X(column + 2, row + j) = S(0);
+  /// R to the diagonal blocks, as copies.
+  [[gnu::always_inline]] void diagonal(Matrix6<S>& X) const {
+    X.template topLeftCorner<3, 3>() = R_, X.template bottomRightCorner<3, 3>() = R_;
+  }
+  [[gnu::always_inline]] static void put(Matrix6<S>& X, int i, int j, const Vector3<S>& l) {
+    X(i, j) = l[0], X(i + 1, j) = l[1], X(i + 2, j) = l[2];
   }
   template <class V>
   [[gnu::always_inline]] static V joined(const Vector3<S>& linear, const Vector3<S>& angular) {

@@ -3,6 +3,7 @@
 
 #include <liecheck/spatial/relative_rotation.hpp>
 #include <liecheck/spatial/se3.hpp>
+#include <liecheck/spatial/symmetric3.hpp>
 
 namespace liecheck {
 
@@ -12,17 +13,39 @@ namespace liecheck {
 /// Source: Barfoot & Furgale 2014, eq. 40.
 template <Scalar S>
 Matrix6<S> transported(const SE3<S>& X, const Matrix6<S>& Sigma) {
-  const Matrix3<S>&R = X.rotation(), Rt = R.transpose();
-  const auto rotated = [&](int i, int j) -> Matrix3<S> {
-    return R * Matrix3<S>(Sigma.template block<3, 3>(3 * i, 3 * j)) * Rt;
+  const Matrix3<S>& R = X.rotation();
+  const Vector3<S>& p = X.translation();
+  const auto block = [&](int i, int j) __attribute__((always_inline)) {
+    return rows<S>(Sigma(i, j), Sigma(i, j + 1), Sigma(i, j + 2), Sigma(i + 1, j), Sigma(i + 1, j + 1),
+                   Sigma(i + 1, j + 2), Sigma(i + 2, j), Sigma(i + 2, j + 1), Sigma(i + 2, j + 2));
   };
-  const Matrix3<S> ll = rotated(0, 0), la = rotated(0, 1), aa = rotated(1, 1), P = skew<S>(X.translation()),
-                   paa = P * aa, la_A = la + paa;
+  const Symmetric3<S> ll = Symmetric3<S>::rotated(R, block(0, 0)),
+                      aa = Symmetric3<S>::rotated(R, block(3, 3));
+  const Matrix3<S> la = product<S>(product<S>(R, block(0, 3)), transposed<S>(R)), a = aa.matrix();
+  // The columns of B = la + P aa; then ll + P la^T - B P = ll + P la^T + (P B^T)^T.
+  const auto column = [](const Matrix3<S>& m, int j) __attribute__((always_inline)) {
+    return Vector3<S>(m(0, j), m(1, j), m(2, j));
+  };
+  const auto row = [](const Matrix3<S>& m, int i) __attribute__((always_inline)) {
+    return Vector3<S>(m(i, 0), m(i, 1), m(i, 2));
+  };
+  const Vector3<S> b0 = add_cross<S>(column(la, 0), p, column(a, 0)),
+                   b1 = add_cross<S>(column(la, 1), p, column(a, 1)),
+                   b2 = add_cross<S>(column(la, 2), p, column(a, 2));
+  const Matrix3<S> B = rows<S>(b0[0], b1[0], b2[0], b0[1], b1[1], b2[1], b0[2], b1[2], b2[2]);
+  const Vector3<S> c0 = cross<S>(p, row(la, 0)), c1 = cross<S>(p, row(la, 1)), c2 = cross<S>(p, row(la, 2)),
+                   d0 = cross<S>(p, row(B, 0)), d1 = cross<S>(p, row(B, 1)), d2 = cross<S>(p, row(B, 2));
   Matrix6<S> result;
-  // ll + P la^T + la P^T + P aa P^T, P^T = -P.
-  result << ll + P * la.transpose() - la_A * P, la_A, la_A.transpose(), aa;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < i; ++j) result(i, j) = result(j, i);
+  result(0, 0) = ll.xx + (c0[0] + d0[0]), result(1, 1) = ll.yy + (c1[1] + d1[1]),
+            result(2, 2) = ll.zz + (c2[2] + d2[2]);
+  result(0, 1) = result(1, 0) = ll.xy + (c1[0] + d0[1]),
+            result(0, 2) = result(2, 0) = ll.xz + (c2[0] + d0[2]);
+  result(1, 2) = result(2, 1) = ll.yz + (c2[1] + d1[2]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      result(i, 3 + j) = result(3 + j, i) = B(i, j);
+      result(3 + i, 3 + j) = a(i, j);
+    }
   return result;
 }
 

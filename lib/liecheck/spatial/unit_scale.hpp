@@ -41,6 +41,15 @@ template <Scalar S, int N>
   return sum;
 }
 
+/// True if a sum of squares has neither overflowed nor lost digits to underflow; false for NaN. A square that underflows
+/// is wrong by less than min, which is eps^2 of the sum.
+template <Scalar S>
+[[gnu::always_inline]] inline bool squareIsAccurate(const S& square) {
+  using Limits = std::numeric_limits<S>;
+  static const S least = S(Limits::min()) / (eps<S>() * eps<S>());
+  return least < square && square < S(Limits::max());
+}
+
 /// u 2^k with |u 2^k|^2 in [1/2, 2): exact, except for numbers that are 2^-1000 of the largest. NaN if u is
 /// not finite. Throws std::invalid_argument if u is zero.
 template <Scalar S, int N>
@@ -66,19 +75,30 @@ template <Scalar S, int N>
 
 }  // namespace unit_vector_detail
 
+namespace unit_vector_detail {
+
+template <Scalar S, int N>
+[[gnu::always_inline]] inline Eigen::Matrix<S, N, 1> overNorm(const Eigen::Matrix<S, N, 1>& u,
+                                                              const S& square) {
+  using std::sqrt;
+  return Eigen::Matrix<S, N, 1>(u / S(sqrt(square)));
+}
+template <Scalar S, int N>
+[[gnu::noinline, gnu::cold]] Eigen::Matrix<S, N, 1> normalizedFar(const Eigen::Matrix<S, N, 1>& u) {
+  const Eigen::Matrix<S, N, 1> scaled = scaledByPowerOfTwo<S, N>(u);
+  return overNorm<S, N>(scaled, square<S, N>(scaled));
+}
+
+}  // namespace unit_vector_detail
+
 /// u/|u|, without overflow or underflow of |u|^2. Error 2 eps. NaN if u is not finite. Throws
 /// std::invalid_argument if u is zero.
 template <Scalar S, int N>
-[[gnu::noinline]] Eigen::Matrix<S, N, 1> normalizedUnit(const Eigen::Matrix<S, N, 1>& u) {
-  const auto over_norm = [](const Eigen::Matrix<S, N, 1>& x, const S& square) {
-    using std::sqrt;
-    return Eigen::Matrix<S, N, 1>(x / S(sqrt(square)));
-  };
+[[gnu::always_inline]] inline Eigen::Matrix<S, N, 1> normalizedUnit(const Eigen::Matrix<S, N, 1>& u) {
   const S square = unit_vector_detail::square<S, N>(u);
-  if (unit_vector_detail::atUnitScale<S>(S(square - S(1)))) [[likely]]
-    return over_norm(u, square);
-  const Eigen::Matrix<S, N, 1> scaled = unit_vector_detail::scaledByPowerOfTwo<S, N>(u);
-  return over_norm(scaled, unit_vector_detail::square<S, N>(scaled));
+  if (!unit_vector_detail::squareIsAccurate<S>(square)) [[unlikely]]
+    return unit_vector_detail::normalizedFar<S, N>(u);
+  return unit_vector_detail::overNorm<S, N>(u, square);
 }
 
 }  // namespace liecheck

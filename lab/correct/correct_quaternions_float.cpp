@@ -1,9 +1,9 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<float> in_float;
+const RegisteredQuaternions<float> in_float;
 
 }  // namespace
 }  // namespace liecheck::properties::correct

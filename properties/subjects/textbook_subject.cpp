@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 #include <subjects/own_programs.hpp>
-#include <subjects/textbook.hpp>
+#include <subjects/textbook_subject.hpp>
 
 #include <utility>
 #include <vector>
@@ -12,12 +12,12 @@
 namespace liecheck::properties {
 namespace {
 
-const Registered<float> in_float(Textbook<float>::make<8, false>());
-const Registered<double> in_double(Textbook<double>::make<8, false>());
+const Registered<float> in_float(TextbookSubject<float>::make<8, false>());
+const Registered<double> in_double(TextbookSubject<double>::make<8, false>());
 
 template <class S, int... i>
 std::vector<Registered<S>> variants(std::integer_sequence<int, i...>) {
-  return {Registered<S>(Textbook<S>::template make<i + 1, true>())...};
+  return {Registered<S>(TextbookSubject<S>::template make<i + 1, true>())...};
 }
 const auto variants_in_float = variants<float>(std::make_integer_sequence<int, 12>());
 const auto variants_in_double = variants<double>(std::make_integer_sequence<int, 12>());
@@ -25,8 +25,8 @@ const auto variants_in_double = variants<double>(std::make_integer_sequence<int,
 /// The programs of the textbook with this cutoff.
 OwnPrograms programs(const std::string& cutoff) {
   OwnPrograms all{"-I lib -I properties",
-                  "#include <subjects/textbook.hpp>\nusing namespace liecheck::properties;\n",
-                  "const Textbook<S> book{{}, " + cutoff + "};\n",
+                  "#include <subjects/textbook_subject.hpp>\nusing namespace liecheck::properties;\n",
+                  "const TextbookSubject<S> book{{{}, " + cutoff + "}};\n",
                   {}};
   const auto add = [&](const Operation& o, const char* arguments) {
     const std::string value = fmt::format("book.{}({})", o.name, arguments);
@@ -58,6 +58,9 @@ OwnPrograms programs(const std::string& cutoff) {
   add(op::inverse, "{R, p}");
   add(op::act_point, "{R, p}, p_Y");
   add(op::rotate_point, "Q, p");
+  add(op::quaternion_from_matrix, "R");
+  add(op::axis_angle_from_quaternion, "Q");
+  add(op::angle_between, "a, b");
   return all;
 }
 

@@ -1,9 +1,9 @@
-#include <correct/correct.hpp>
+#include <correct/correct_subject.hpp>
 
 namespace liecheck::properties::correct {
 namespace {
 
-const RegisteredStyles<double> in_double;
+const RegisteredMatrices<double> in_double;
 
 }  // namespace
 }  // namespace liecheck::properties::correct

@@ -1,3 +1,4 @@
+#pragma once
 // The functions of a subject of the program as the harness calls them. A call that is checked goes through numbers
 // (number_function.hpp). The others round the arguments to the scalar of the subject and call its function in its own types,
 // which is up to a fifth faster for the cheapest laws.
@@ -16,7 +17,7 @@
 
 namespace liecheck::properties {
 
-namespace {
+namespace rounded_calls_detail {
 
 template <class T>
 constexpr bool is_matrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
@@ -154,10 +155,11 @@ void erase(Slots<To, all...>& to, const Slots<S, all...>& from, ModelSize model 
   (one(all), ...);
 }
 
-}  // namespace
+}  // namespace rounded_calls_detail
 
 template <class S>
 Subject erased(const TypedSubject<S>& subject) {
+  using namespace rounded_calls_detail;
   Subject s{subject.name, subject.version, {}, &oracles::scalar_of<S>};
   const TypedOperations<S>& from = subject.operations;
   erase<S>(static_cast<SpatialSlots<Doubles>&>(s.operations), static_cast<const SpatialSlots<S>&>(from));
@@ -189,7 +191,4 @@ Subject erased(const TypedSubject<S>& subject) {
     };
   return s;
 }
-template Subject erased(const TypedSubject<float>&);
-template Subject erased(const TypedSubject<double>&);
-
 }  // namespace liecheck::properties

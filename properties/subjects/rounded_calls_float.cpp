@@ -1,0 +1,7 @@
+#include <subjects/rounded_calls.hpp>
+
+namespace liecheck::properties {
+
+template Subject erased(const TypedSubject<float>&);
+
+}  // namespace liecheck::properties
