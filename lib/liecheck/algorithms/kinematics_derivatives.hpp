@@ -41,8 +41,8 @@ void computeForwardKinematicsDerivatives(const Model<S>& model, Data<S>& data, I
 
 namespace algorithms_detail {
 
-/// Calls f(index in v, s, w, z, y) for each supporting column of a frame, all about one point that is `at` [m] from the origin
-/// of the root of the branch.
+/// Calls f(index in v, get) for each supporting column of a frame. get(RateColumn<S>::s), and likewise w, z and y, gives a rate
+/// of the column about the point that is `at` [m] from the origin of the root of the branch.
 template <Scalar S, class F>
 [[gnu::always_inline]] inline void forEachRate(const Model<S>& model, const MotionRates<S>& rates,
                                                std::size_t joint, const Vector3<S>& at, F f) {
@@ -85,7 +85,7 @@ struct FrameRates {
       u = transposed_product<S>(R_WF, u), w = transposed_product<S>(R_WF, w);
     for (int i = 0; i < 3; ++i) numbers[i] += u[i], numbers[3 + i] += w[i];
   }
-  /// What the reference adds to the change d that an observer sees who moves with the subtree, of a motion M.
+  /// The change of a motion M in the reference, where d is the change that an observer sees who moves with the subtree.
   [[gnu::always_inline]] Motion<S> seen(const Motion<S>& d, const Motion<S>& s, const Motion<S>& M) const {
     if constexpr (reference == ReferenceFrame::LOCAL) return d;
     if constexpr (reference == ReferenceFrame::WORLD) return sum(d, crossed(s, M));

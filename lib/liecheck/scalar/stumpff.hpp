@@ -225,8 +225,9 @@ struct HalfAngle {
 };
 
 /// The Stumpff functions c_2 ... c_6 at x = theta^2 [rad^2], at the places of their indices: c_k = 1/k! - x c_{k+2}. Up to
-/// pi, c_5 and c_6 are sums of their power series, with an error of 4 eps; beyond pi, c_2 and c_3 follow from cos and sin,
-/// and the others by division by x, which cancels nothing there. Throws std::invalid_argument if x is not finite.
+/// pi, c_5 and c_6 are polynomials that approximate their power series, with an error of 4 eps; beyond pi, c_2 and c_3
+/// follow from cos and sin, and the others by division by x, which cancels nothing there. Throws std::invalid_argument if x
+/// is not finite.
 template <Scalar S>
 std::array<S, 7> stumpff_functions(const S& x) {
   using std::cos, std::sin, std::sqrt;

@@ -73,10 +73,6 @@ template <Scalar S, int N>
   return u;
 }
 
-}  // namespace unit_vector_detail
-
-namespace unit_vector_detail {
-
 template <Scalar S, int N>
 [[gnu::always_inline]] inline Eigen::Matrix<S, N, 1> overNorm(const Eigen::Matrix<S, N, 1>& u,
                                                               const S& square) {
