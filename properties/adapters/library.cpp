@@ -169,9 +169,10 @@ class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
   using References = const char* (*)();
-  /// `source` and `references` are its liecheck_get_source and liecheck_get_references, or null.
-  Library(const liecheck_adapter* its, Source source, References references, const std::string& file,
-          bool repeats)
+  using Loops = const liecheck_loops* (*)(const char*, const char*);
+  /// `source`, `references` and `loops` are its liecheck_get_source and so on, or null.
+  Library(const liecheck_adapter* its, Source source, References references, Loops loops,
+          const std::string& file, bool repeats)
       : repeats_here_(repeats) {
     if (repeats) Inside::watch();
     if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
@@ -188,7 +189,10 @@ class Library final : public Adapter {
     description_.name = adapter_.name, description_.version = adapter_.version;
     if (adapter_.conventions) description_.conventions = stated(adapter_.conventions);
     const auto offer = [&](std::string_view operation, bool is_double, const CFunction& f) {
-      if (f) description_.offered.emplace(operation, is_double ? "double" : "float");
+      const char* const scalar = is_double ? "double" : "float";
+      if (f) description_.offered.emplace(operation, scalar);
+      if (const auto* l = f && loops ? loops(std::string(operation).c_str(), scalar) : nullptr)
+        description_.timed[std::string(operation)] = l->own_types ? "own types" : "numbers";
       return f;
     };
     for (const OperationSizes& o : all_sizes()) {
@@ -230,8 +234,9 @@ class Library final : public Adapter {
     const auto [module, entry] = opened(file);
     const auto source = reinterpret_cast<Source>(dlsym(module, "liecheck_get_source"));
     const auto references = reinterpret_cast<References>(dlsym(module, "liecheck_get_references"));
+    const auto loops = reinterpret_cast<Loops>(dlsym(module, "liecheck_get_loops"));
     try {
-      return std::make_unique<Library>(entry(), source, references, file, repeats);
+      return std::make_unique<Library>(entry(), source, references, loops, file, repeats);
     } catch (const AdapterFailed&) {
       throw;
     } catch (const std::exception& e) {
@@ -386,8 +391,13 @@ CFunction function_of_library(const std::string& file, const std::string& operat
                               const std::string& scalar) {
   return Library::found(copied(*opened(file).second()), operation, scalar == "double");
 }
+const liecheck_loops* loops_of_library(const std::string& file, const std::string& operation,
+                                       const std::string& scalar) {
+  const auto get = reinterpret_cast<Library::Loops>(dlsym(opened(file).first, "liecheck_get_loops"));
+  return get ? get(operation.c_str(), scalar.c_str()) : nullptr;
+}
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
-  return std::make_unique<Library>(&adapter, nullptr, nullptr, "the linked adapter", true);
+  return std::make_unique<Library>(&adapter, nullptr, nullptr, nullptr, "the linked adapter", true);
 }
 
 }  // namespace liecheck::properties::adapters

@@ -32,12 +32,14 @@ json ratio_record(const Ratio& r, double reference_ns) {
 }
 
 json set_record(const CostSet& set, double reference_ns) {
-  return {{"set", set.set},
-          {"inputs", set.inputs},
-          {"throughput", ratio_record(set.throughput, reference_ns)},
-          {"latency", ratio_record(set.latency, reference_ns)},
-          {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
-          {"blocks", list_of(set.blocks, block_record)}};
+  json all = {{"set", set.set},
+              {"inputs", set.inputs},
+              {"throughput", ratio_record(set.throughput, reference_ns)},
+              {"latency", ratio_record(set.latency, reference_ns)},
+              {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
+              {"blocks", list_of(set.blocks, block_record)}};
+  if (set.interface.processes > 0) all["interface"] = ratio_record(set.interface, reference_ns);
+  return all;
 }
 
 json row_records(const std::vector<CostRow>& rows, double reference_ns) {
@@ -61,6 +63,7 @@ json row_records(const std::vector<CostRow>& rows, double reference_ns) {
          {"dominated_throughput", dominator(throughput[i])},
          {"dominated_latency", dominator(latency[i])},
          {"sets", list_of(row.sets, [&](const CostSet& s) { return set_record(s, reference_ns); })}});
+    if (!row.timed.empty()) all.back()["timed"] = row.timed;
   }
   return all;
 }

@@ -98,7 +98,7 @@ double reference_ns() {
 /// The number of passes that take `seconds`, from a pass with cold caches.
 std::size_t passes_in(double seconds, const Timed& row) {
   const auto start = Clock::now();
-  row.pass();
+  row.elsewhere ? void(row.elsewhere(1)) : row.pass();
   return static_cast<std::size_t>(std::clamp(seconds / std::max(seconds_since(start), 1e-8), 1.0, 1e7));
 }
 
@@ -113,6 +113,7 @@ std::vector<std::vector<Repetition>> run_interleaved(const std::vector<Timed>& a
   const double each = how.seconds / static_cast<double>(std::max<std::size_t>(1, total));
   std::vector<std::size_t> passes(all.size()), order;
   for (std::size_t i = 0; i < all.size() && !over(); ++i) {
+    if (!all[i].pass && !all[i].elsewhere) continue;
     passes[i] = passes_in(each, all[i]);
     order.insert(order.end(), how.repetitions, i);
   }
@@ -123,10 +124,16 @@ std::vector<std::vector<Repetition>> run_interleaved(const std::vector<Timed>& a
     const double calls = static_cast<double>(passes[i] * all[i].calls);
     const std::size_t shift = 32 * (random() % 128);  // within a page
     const double reference = reference_ns(), before = processor_time();
-    counter.start();
-    run_below(shift, all[i].pass, passes[i]);
-    const double instructions = static_cast<double>(counter.stop()) / calls;
-    const double ns = (processor_time() - before) * 1e9 / calls, after = reference_ns();
+    double ns = 0, instructions = 0;
+    if (all[i].elsewhere) {
+      ns = all[i].elsewhere(passes[i]) / calls;
+    } else {
+      counter.start();
+      run_below(shift, all[i].pass, passes[i]);
+      instructions = static_cast<double>(counter.stop()) / calls;
+      ns = (processor_time() - before) * 1e9 / calls;
+    }
+    const double after = reference_ns();
     repetitions[i].push_back({0, ns, (reference + after) / 2, std::max(reference, after), instructions});
     how.progress(static_cast<double>(done + 1) / static_cast<double>(total));
   }

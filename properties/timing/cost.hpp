@@ -36,12 +36,17 @@ struct CostSet {
   Ratio throughput, latency;  ///< no processes if this set was not timed
   double instructions = 0;    ///< per call; 0 without a counter
   std::vector<BlockErrors> blocks;
+  /// Of adapters: the latency of a call through the interface; of a program, of a call of nothing in its loop.
+  Ratio interface = {};
 };
 
 struct CostRow {
   std::string subject, version, scalar, operation;
   double eps = 0;             ///< of the scalar
   std::vector<CostSet> sets;  ///< the last one is "mixed"
+  /// Of adapters: in which loops they are timed. "own types" or "numbers", loops of the adapter (liecheck_loops); "calls",
+  /// through the interface; "one" or "one, many", loops of a program over single inputs, and all at once as throughput.
+  std::string timed = {};
 };
 
 /// The largest error of any block over all inputs, as the block defines it (not in eps). It is infinite if a

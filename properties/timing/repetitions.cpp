@@ -57,6 +57,13 @@ Ratio ratio_of(const std::vector<Repetition>& row) {
   return {median, median / (f * f * between_runs), median * f * f * between_runs, x.size()};
 }
 
+double instructions_of(const std::vector<Repetition>& row) {
+  std::vector<double> counts;
+  for (const Repetition& r : row)
+    if (r.instructions > 0) counts.push_back(r.instructions);
+  return spread_of(std::move(counts)).median;
+}
+
 std::string written(const std::vector<std::vector<Repetition>>& rows) {
   std::string text;
   for (const auto& row : rows) {

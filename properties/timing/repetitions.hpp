@@ -55,6 +55,8 @@ struct Ratio {
   std::size_t processes = 0;
 };
 Ratio ratio_of(const std::vector<Repetition>& row);
+/// The median of the counts; 0 without a counter.
+double instructions_of(const std::vector<Repetition>& row);
 
 /// Repetitions as text, for another process.
 std::string written(const std::vector<std::vector<Repetition>>& rows);
