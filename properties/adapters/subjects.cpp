@@ -329,6 +329,10 @@ void withhold(const std::string& text, const std::vector<std::string>& operation
     register_one((*source)->number, text, d, *scalar);
 }
 
+bool can_be_timed(const std::string& text) {
+  const Description* const d = description_of(text);
+  return !library_in(text).empty() || (d && !d->timed.empty());
+}
 double timed_outside(const std::string& text, std::string_view how, const Batch& batch, std::size_t passes) {
   const auto source = std::ranges::find_if(sources, [&](const auto& s) { return s && s->text == text; });
   return adapter((*source)->number).timed(how, batch, passes);

@@ -38,6 +38,7 @@ json set_record(const CostSet& set, double reference_ns) {
               {"latency", ratio_record(set.latency, reference_ns)},
               {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
               {"blocks", list_of(set.blocks, block_record)}};
+  if (set.cycles > 0) all["cycles"] = set.cycles;
   if (set.interface.processes > 0) all["interface"] = ratio_record(set.interface, reference_ns);
   return all;
 }
@@ -95,6 +96,7 @@ json record_of(const CostResult& r) {
           {"reference_ns", r.machine.reference_ns},
           {"disturbed", r.machine.disturbed},
           {"steady", r.machine.steady()},
+          {"spread", r.machine.spread},
           {"seconds", r.options.seconds},
           {"elapsed", r.elapsed},
           {"clock", "processor time of the thread"},

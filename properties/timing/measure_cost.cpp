@@ -183,13 +183,18 @@ CostResult measure_cost(const CostOptions& options) {
     options.progress(share * static_cast<double>(p + 1));
   }
   result.machine = keep_undisturbed(repetitions);
+  std::vector<double> spreads;
   auto next = repetitions.begin();
   for (const TimedSet& t : plan.timed) {
     CostSet& set = plan.rows[t.row].sets[t.set];
     set.*t.what = ratio_of(*next);
-    if (t.what == &CostSet::throughput) set.instructions = instructions_of(*next);
+    if ((set.*t.what).processes > 0) spreads.push_back((set.*t.what).spread());
+    if (t.what == &CostSet::throughput)
+      set.instructions = counted(*next, &Repetition::instructions),
+      set.cycles = counted(*next, &Repetition::cycles);
     ++next;
   }
+  result.machine.spread = spread_of(std::move(spreads)).median;
   result.rows = std::move(plan.rows);
   result.complete = !plan.stopped();
   result.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
