@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,13 +48,18 @@ struct CallByNumbers {
   }
 };
 
-/// The result of a call, computed: an expression of Eigen is not before eval().
+/// The result of a call, computed: an expression of Eigen is not before eval(), which copies anything else.
 template <class Call>
 auto result_of(const Call& call) {
-  if constexpr (requires { call().eval(); })
-    return call().eval();
-  else
+  using Result = decltype(call());
+  if constexpr (requires { call().eval(); }) {
+    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(call().eval())>, Result>)
+      return call().eval();
+    else
+      return call();
+  } else {
     return call();
+  }
 }
 
 /// Some bits of numbers in all quarters of a result.

@@ -38,16 +38,17 @@ std::string ratio_text(const Ratio& r) {
 std::string way_of(const CostRow& row, double reference_ns) {
   const CostSet& all = row.sets.back();
   const std::string interface = number_text(all.interface.median * reference_ns);
+  const auto says = [&](const char* word) { return row.timed.find(word) != std::string::npos; };
+  const char* const types = says("own types") ? "the library's own types" : "numbers";
+  if (row.timed.empty()) return "";
   if (row.timed == "calls")
-    return "timed by calls through the interface: built with an older header, or in C";
-  if (row.timed.starts_with("one"))
-    return fmt::format("timed in its own process, latency: one at a time{}; its loop alone takes {} ns",
-                       row.timed == "one" ? "" : fmt::format(", throughput: {} at once", all.inputs),
+    return "timed by calls through the interface: it is in C, or built with an older header";
+  if (!row.timed.starts_with("one"))
+    return fmt::format("timed by its own loops on {}; through the interface, a call takes {} ns", types,
                        interface);
-  return row.timed.empty()
-             ? ""
-             : fmt::format("timed by its own loops on {}; through the interface, a call takes {} ns",
-                           row.timed == "numbers" ? "numbers" : "the library's own types", interface);
+  return fmt::format("timed in its own process on {}, one at a time{}; its loop alone takes {} ns", types,
+                     says("many") ? fmt::format(", and as throughput {} at once", all.inputs) : "",
+                     interface);
 }
 
 void print_row(const CostRow& row, double reference_ns, const std::string& dominator) {

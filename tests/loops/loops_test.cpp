@@ -6,15 +6,15 @@
 #include <Eigen/Geometry>
 
 #include <ceres/rotation.h>
-#include <liecheck_adapter.h>
+#include <liecheck_loops.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -67,21 +67,16 @@ Run throughput_by_hand(F f) {
     }
   };
 }
-/// Each call waits for parts(result), low bits of numbers of the result before.
-template <class F, class Parts>
-Run latency_by_hand(F f, Parts parts) {
+/// Each call waits for the numbers of the result before that define latency (docs/adapters.md).
+template <class F>
+Run latency_by_hand(F f) {
   return [=] {
     volatile std::size_t unknown = 0;
     const std::size_t zero = unknown;
     std::size_t i = 0;
-    for (std::size_t k = 0; k < n; ++k) i += 1 + (parts(f(i)) & zero);
+    for (std::size_t k = 0; k < n; ++k) i += 1 + (liecheck::adapter::bits_of(f(i)) & zero);
     asm volatile("" : : "r"(i));
   };
-}
-std::uint32_t low_bits(double x) {
-  std::uint32_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  return bits;
 }
 
 /// An adapter's loops over the same inputs.
@@ -127,57 +122,56 @@ double ratio(const Run& adapter, const Run& by_hand) {
   return ratios[150];
 }
 
-/// 5 %, and for a call 0.4 ns, a cycle of a processor: where the compiler lays out two loops otherwise, one of them may take
-/// a cycle more, which is 5 % of a call of 8 ns only. Best of three, because the addresses of the loops and of what they write
-/// differ by chance.
-void expect_equal(const char* name, const Run& adapter, const Run& by_hand) {
+/// The time of a call by hand [ns].
+double least_time(const Run& by_hand) {
   double ns = 1e9;
   for (int pass = 0; pass < 100; ++pass) {
     const double start = processor_time();
     by_hand();
     ns = std::min(ns, (processor_time() - start) / n);
   }
-  const double cycle = 0.4 / ns;
-  double best = 2;
-  for (int attempt = 0; attempt < 3 && std::abs(best - 1) > 0.05 + cycle; ++attempt)
-    if (const double r = ratio(adapter, by_hand); std::abs(r - 1) < std::abs(best - 1)) best = r;
-  EXPECT_NEAR(best, 1, 0.05 + cycle) << name;
-  std::printf("%-36s %.3f\n", name, best);
+  return ns;
 }
 
-template <class F, class Parts>
-void compare(const char* file, const char* operation, const std::vector<double>& inputs, F f, Parts parts) {
-  const Adapter adapter(file, operation, inputs);
-  expect_equal((std::string(operation) + " throughput").c_str(), adapter.throughput(), throughput_by_hand(f));
-  expect_equal((std::string(operation) + " latency").c_str(), adapter.latency(), latency_by_hand(f, parts));
+/// 5 %, and for a call 0.4 ns, a cycle of a processor: where the compiler lays out two loops otherwise, one of them may take
+/// a cycle more, which is 5 % of a call of 8 ns only. The best of five copies of the arguments: a copy whose calls lie across
+/// lines of the cache takes up to 2 ns more, and its address is chance. `cost` takes the median of 20 processes instead.
+template <class F>
+void compare(const char* file, const char* operation, const std::vector<double>& inputs, F f) {
+  std::vector<std::unique_ptr<Adapter>> copies;
+  std::vector<std::unique_ptr<char[]>> between;
+  for (std::size_t i = 0; i < 5; ++i) {
+    copies.push_back(std::make_unique<Adapter>(file, operation, inputs));
+    between.push_back(std::make_unique<char[]>(1 + 16 * i));
+  }
+  for (const bool waits : {false, true}) {
+    const Run by_hand = waits ? latency_by_hand(f) : throughput_by_hand(f);
+    const double allowed = 0.05 + 0.4 / least_time(by_hand);
+    double best = 10;
+    for (const auto& adapter : copies) {
+      const double r = ratio(waits ? adapter->latency() : adapter->throughput(), by_hand);
+      if (std::abs(r - 1) < std::abs(best - 1)) best = r;
+      if (std::abs(best - 1) <= allowed) break;
+    }
+    EXPECT_NEAR(best, 1, allowed) << operation << (waits ? " latency" : " throughput");
+    std::printf("%-20s%-12s%.3f\n", operation, waits ? "latency" : "throughput", best);
+  }
 }
 
 const Inputs& inputs() {
   static const Inputs all;
   return all;
 }
-std::uint32_t bits(const Vector3d& v) {
-  return low_bits(v[0]) ^ low_bits(v[1]) ^ low_bits(v[2]);
-}
-std::uint32_t bits(const Quaterniond& q) {
-  return low_bits(q.x()) ^ low_bits(q.y()) ^ low_bits(q.z()) ^ low_bits(q.w());
-}
 
 TEST(Loops, OfEigenTakeTheTimeOfALoopByHand) {
   const Inputs& in = inputs();
   const Quaterniond *q = in.q.data(), *q2 = in.q2.data();
   const Vector3d* p = in.p.data();
-  const auto of_bits = [](const auto& r) { return bits(r); };
   const char* const file = LIECHECK_EIGEN_ADAPTER;
-  compare(
-      file, "rotate_point", in.q_p, [=](std::size_t i) { return Vector3d(q[i] * p[i]); }, of_bits);
-  compare(
-      file, "quaternion_product", in.q_q, [=](std::size_t i) { return q[i] * q2[i]; }, of_bits);
-  compare(
-      file, "normalize", in.q_numbers, [=](std::size_t i) { return q[i].normalized(); }, of_bits);
-  compare(
-      file, "log3_quaternion", in.q_numbers, [=](std::size_t i) { return AngleAxisd(q[i]); },
-      [](const AngleAxisd& a) { return bits(a.axis()) ^ low_bits(a.angle()); });
+  compare(file, "rotate_point", in.q_p, [=](std::size_t i) { return Vector3d(q[i] * p[i]); });
+  compare(file, "quaternion_product", in.q_q, [=](std::size_t i) { return q[i] * q2[i]; });
+  compare(file, "normalize", in.q_numbers, [=](std::size_t i) { return q[i].normalized(); });
+  compare(file, "log3_quaternion", in.q_numbers, [=](std::size_t i) { return AngleAxisd(q[i]); });
 }
 
 TEST(Loops, OfCeresTakeTheTimeOfALoopByHand) {
@@ -185,34 +179,22 @@ TEST(Loops, OfCeresTakeTheTimeOfALoopByHand) {
   const auto* q = in.wxyz.data();
   const Vector3d* p = in.p.data();
   const char* const file = LIECHECK_CERES_ADAPTER;
-  struct Three {
-    double x[3];
-  };
-  const auto of_three = [](const Three& v) { return low_bits(v.x[0]) ^ low_bits(v.x[1]) ^ low_bits(v.x[2]); };
-  compare(
-      file, "log3_quaternion", in.q_numbers,
-      [=](std::size_t i) {
-        Three phi;
-        ceres::QuaternionToAngleAxis(q[i].data(), phi.x);
-        return phi;
-      },
-      of_three);
-  compare(
-      file, "rotate_point", in.q_p,
-      [=](std::size_t i) {
-        Three y;
-        ceres::UnitQuaternionRotatePoint(q[i].data(), p[i].data(), y.x);
-        return y;
-      },
-      of_three);
-  compare(
-      file, "exp3_quaternion", in.p_numbers,
-      [=](std::size_t i) {
-        std::array<double, 4> Q;
-        ceres::AngleAxisToQuaternion(p[i].data(), Q.data());
-        return Q;
-      },
-      [](const auto& Q) { return low_bits(Q[0]) ^ low_bits(Q[1]) ^ low_bits(Q[2]) ^ low_bits(Q[3]); });
+  using Three = std::array<double, 3>;
+  compare(file, "log3_quaternion", in.q_numbers, [=](std::size_t i) {
+    Three phi;
+    ceres::QuaternionToAngleAxis(q[i].data(), phi.data());
+    return phi;
+  });
+  compare(file, "rotate_point", in.q_p, [=](std::size_t i) {
+    Three y;
+    ceres::UnitQuaternionRotatePoint(q[i].data(), p[i].data(), y.data());
+    return y;
+  });
+  compare(file, "exp3_quaternion", in.p_numbers, [=](std::size_t i) {
+    std::array<double, 4> Q;
+    ceres::AngleAxisToQuaternion(p[i].data(), Q.data());
+    return Q;
+  });
 }
 
 TEST(Loops, SayWhetherTheyCallWithTheLibrarysOwnTypes) {

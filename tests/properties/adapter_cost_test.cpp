@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <conventions/stated.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <operations/operations.hpp>
 #include <support/files.hpp>
-#include <timing/rows.hpp>
 
 #include "../scratch.hpp"
 
@@ -89,7 +90,7 @@ for line in iter(read.readline, b""):
   const auto ns = [&](const char* what) { return set[what]["ns"].get<double>(); };
   EXPECT_NEAR(ns("latency") / ns("throughput"), 100, 30);  // of another moment of the machine
   EXPECT_NEAR(ns("latency") / ns("interface"), 10, 3);
-  EXPECT_NE(text("out").find("latency: one at a time, throughput: 1280 at once; its loop alone takes"),
+  EXPECT_NE(text("out").find("on numbers, one at a time, and as throughput 1280 at once; its loop alone takes"),
             std::string::npos);
 }
 
