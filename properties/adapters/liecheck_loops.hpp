@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// Functions that keep objects, and tables of functions, are hidden: two libraries in one process whose structs have the same name would
-// share the objects.
+// Functions that keep objects, and tables of functions, are hidden: two libraries in one process whose structs have
+// the same name would share them.
 #ifdef __GNUC__
 #define LIECHECK_HIDDEN [[gnu::visibility("hidden")]]
 #else

@@ -56,7 +56,7 @@ TEST_F(AdapterCost, IsThatOfTheLoopsThatAreCompiledWithIt) {
             std::string::npos);
   // One in C has no loops.
   ASSERT_EQ(run(cost + "exp3_quaternion --adapter " LIECHECK_C_ADAPTER), 0) << text("err");
-  const auto by_calls = row(nlohmann::json::parse(text("r.json")), "rotations");
+  const auto by_calls = row(nlohmann::json::parse(text("r.json")), "rotations_c");
   EXPECT_EQ(by_calls["timed"], "calls");
   EXPECT_FALSE(by_calls["sets"].back().contains("interface"));
 }

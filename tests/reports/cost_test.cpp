@@ -39,7 +39,7 @@ TEST(CostReport, TheSectionNamesMachineAndVariants) {
   for (const char* part :
        {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
         "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
-        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps", "the median of 20 processes"})
+        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps", "short repetitions in 20 processes"})
     EXPECT_TRUE(has(text, part)) << part;
   const char* warning = "The machine changed speed during this run";
   EXPECT_FALSE(has(text, warning));

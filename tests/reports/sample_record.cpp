@@ -224,6 +224,10 @@ Json full_record() {
   all["bounds"] = bounds();
   all["cost"] = cost();
   all["cost"]["rows"] = Json::array({cost_row("liecheck", "double", "exp6", 1e-16, 40)});
+  Json& row = all["cost"]["rows"][0];  // of an adapter
+  Json& set = row["sets"][0];
+  row["timed"] = "own types", set["interface"] = set["latency"], set["cycles"] = 900;
+  all["cost"]["spread"] = 0.05;
   all["cost"]["environment"].update(environment);
   all["cost"]["bands"] = {{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}};
   all["scenes"] = scenes();
