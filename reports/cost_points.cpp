@@ -44,34 +44,4 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
   return steps;
 }
 
-std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
-                                       const std::vector<std::string>& operations) {
-  std::vector<CostPoint> all;
-  for (const CostPoint& first : points) {
-    if (operations.empty() || first.operation != operations.front()) continue;
-    CostPoint sum{first.subject, first.scalar, first.operation};
-    std::size_t offered = 0;
-    for (const CostPoint& p : points)
-      if (p.subject == sum.subject && p.scalar == sum.scalar && p.latency > 0 &&
-          std::find(operations.begin(), operations.end(), p.operation) != operations.end())
-        ++offered, sum.error = std::max(sum.error, p.error), sum.latency += p.latency;
-    if (offered == operations.size()) all.push_back(sum);
-  }
-  return all;
-}
-
-const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error) {
-  const CostPoint* best = nullptr;
-  for (const CostPoint& c : all)
-    if (c.error <= error && (!best || c.latency < best->latency)) best = &c;
-  return best;
-}
-
-const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar) {
-  const CostPoint* best = nullptr;
-  for (const CostPoint& c : all)
-    if (c.scalar == scalar && (!best || c.error < best->error)) best = &c;
-  return best;
-}
-
 }  // namespace liecheck::reports

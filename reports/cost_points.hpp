@@ -1,5 +1,5 @@
 #pragma once
-// The points (time, error) of a cost record, the steps between undominated points, and candidates for advice.
+// The points (time, error) of a cost record, and the steps between undominated points.
 
 #include <reports/record.hpp>
 #include <string>
@@ -31,14 +31,5 @@ struct CostStep {
   const CostPoint *from, *to;
 };
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation);
-
-/// A point for each subject and scalar that offers every operation of a list. Its error is the largest error
-/// of these operations, its latency is the sum of theirs, and its `operation` is the first one of the list.
-std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
-                                       const std::vector<std::string>& operations);
-
-/// The fastest candidate with at most this error; null if there is none.
-const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error);
-const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar);
 
 }  // namespace liecheck::reports

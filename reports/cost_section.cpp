@@ -1,64 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <reports/cost_advice.hpp>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
 
 namespace liecheck::reports {
 
 namespace {
-
-/// Operations that a tracker or controller calls. The advice adds up the times of all of them.
-const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
-
-std::string digits(double error) {
-  return std::isinf(error) ? "no digit"
-         : error > 0       ? fmt::format("{:.1f} digits", -std::log10(error))
-                           : "every digit";
-}
-
-/// Recommends a subject and scalar for a 1 kHz controller and for an offline calibration, with the rules.
-std::string advice(const std::vector<CostPoint>& points) {
-  const auto all = cost_candidates(points, core);
-  if (all.empty())
-    return "<p>No advice: no subject offers all of exp6, log6, integrate and difference.</p>\n";
-  constexpr double hour = 3.6e6, encoder = 1e-7, calls = 100, tick = 1e6;
-  std::string out = "<dl class=\"advice\">\n";
-  const auto item = [&](const char* what, const std::string& text) {
-    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", what, text);
-  };
-  const std::string rule = fmt::format(
-      "The rule: an hour has {:.1e} ticks. If the errors of all ticks add up, their sum must stay below "
-      "1e-7, which is finer than an encoder of 24 bits. The fastest choice that satisfies this is taken.",
-      hour);
-  if (const auto* c = fastest_within(all, encoder / hour)) {
-    const double share = calls * c->latency / tick;
-    item("For a 1 kHz controller",
-         fmt::format("take <b>{}</b>: {} calls of each of exp6, log6, integrate and difference, one after "
-                     "the other, take {}, {:.2g} % of a tick of 1 ms{}, with {} correct. {}",
-                     escaped(c->name()), calls, time_text(calls * c->latency), share * 100,
-                     share > 1 ? " (too much: call fewer)" : "", digits(c->error), rule));
-  } else {
-    item("For a 1 kHz controller", "no subject measured here is accurate enough. " + rule);
-  }
-  const std::string offline =
-      "The rule: finite differences and normal equations square a condition number of up to 1e8 and so lose "
-      "16 digits, and six digits must remain. The fastest choice with 22 correct digits is taken.";
-  const auto* wide = fastest_within(all, 1e-22);
-  const auto* in_double = most_accurate(all, "double");
-  const std::string narrow = in_double ? fmt::format(" The most accurate in double is <b>{}</b>, {}.",
-                                                     escaped(in_double->name()), digits(in_double->error))
-                                       : "";
-  item("For an offline calibration",
-       (wide ? fmt::format("take <b>{}</b>: {} at {} for one call of each of the four, {} for a million. {}",
-                           escaped(wide->name()), digits(wide->error), time_text(wide->latency),
-                           time_text(wide->latency * 1e6), offline)
-             : "no subject measured here has 22 correct digits. " + offline) +
-           narrow);
-  return out + "</dl>\n";
-}
 
 std::string price_table(const std::vector<CostPoint>& points, const std::vector<std::string>& operations) {
   std::vector<Cells> rows;
@@ -127,7 +77,7 @@ std::string cost_section(const Merged& merged) {
     Distinct<std::string> operations;
     for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
-    out += advice(points);
+    out += cost_advice(cost);
     out += fmt::format(
         "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "

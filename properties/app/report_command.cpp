@@ -90,6 +90,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
     std::erase(times.subjects, "all");
     for (const std::string& adapter : times.adapters)
       add_subjects(times, {adapters::description_of(adapter)->name});
+    if (times.adapters.empty() && times.subjects.size() == 1) add_forms(times);
   }
   const bool timed = !f.no_cost && (everything || !f.selection.subjects.empty() || !times.adapters.empty());
   stop_on_signals();
