@@ -3,9 +3,6 @@
 if (results.length) {
   readState();
   fillControls();
-  fillSentences(document.getElementById("sentences"));
-  fillAnswers(document.getElementById("answers"));
-  fillCover();
   fillDigits();
   fillMap();
   fillFigures();
@@ -15,7 +12,7 @@ if (results.length) {
 }
 for (const title of document.querySelectorAll("main h2")) {  // a link to itself beside each heading
   const section = title.closest("section");
-  if (section.querySelector("a.anchor")) continue;
+  if (title.querySelector("a")) continue;
   const link = anchorOf(section.id, title.textContent), summary = title.closest("summary");
   summary ? summary.parentElement.before(link) : title.append(link);  // a summary is a button: no link inside it
 }
@@ -30,7 +27,7 @@ document.addEventListener("click", event => {  // a link to a heading keeps what
   goTo(at);
 });
 window.addEventListener("hashchange", () => {
-  if (results.length) { readState(); setControls(); fillCover(); fillDigits(); fillMap(); fillFigures(); }
+  if (results.length) { readState(); setControls(); fillDigits(); fillMap(); fillFigures(); }
   goTo(fragment().get("at"));
 });
 goTo(fragment().get("at"));
