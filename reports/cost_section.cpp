@@ -5,6 +5,7 @@
 #include <map>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 namespace liecheck::reports {
 
@@ -19,8 +20,33 @@ std::string digits(double error) {
                            : "every digit";
 }
 
+/// Of each operation of `core`, the error against time near 0, at moderate angles and near pi.
+std::string fronts(const Looks& looks, const Json& cost) {
+  std::string out;
+  for (const std::string& operation : core) {
+    std::string panels;
+    for (const auto& [head, set] : {std::pair("near 0", "theta 1e-12..1e-5"),
+                                    {"moderate angles", "theta 0.1..pi-0.1"},
+                                    {"near π", "pi-theta 1e-5..0.1"}}) {
+      const auto points = cost_points(cost, set);
+      const std::string picture = cost_picture(looks, points, operation);
+      if (!picture.empty())
+        panels += fmt::format("<figure><figcaption>{}</figcaption><p class=\"note\">{}</p>{}</figure>", head,
+                              escaped(price_words(looks, points, operation)), picture);
+    }
+    if (!panels.empty())
+      out += fmt::format(
+          "<h3>{}: correct digits over the latency of a call</h3>\n<div class=\"panels\">{}</div>\n",
+          operation, panels);
+  }
+  return out;
+}
+
 /// Recommends a subject and scalar for a 1 kHz controller and for an offline calibration, with the rules.
 std::string advice(const std::vector<CostPoint>& points) {
+  Distinct<std::string> subjects;
+  for (const CostPoint& p : points) subjects.add(p.subject);
+  if (subjects.size() == 1) return "";  // there is nothing to choose from
   const auto all = cost_candidates(points, core);
   if (all.empty())
     return "<p>No advice: no subject offers all of exp6, log6, integrate and difference.</p>\n";
@@ -118,16 +144,16 @@ std::string flags_table(const Json& cost) {
 
 }  // namespace
 
-std::string cost_section(const Merged& merged) {
+std::string cost_section(const Looks& looks) {
   std::string out;
-  for (const Json& record : merged.records) {
+  for (const Json& record : looks.merged.records) {
     if (!record.contains("cost")) continue;
     const Json &cost = record["cost"], &e = cost["environment"];
     const auto points = cost_points(cost);
     Distinct<std::string> operations;
     for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
-    out += advice(points);
+    out += fronts(looks, cost) + advice(points);
     out += fmt::format(
         "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "

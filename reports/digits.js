@@ -91,7 +91,7 @@ function openDigits(button) {
     element("div", {class: "scroll", tabindex: "0", role: "region", "aria-label": title}, element("table", {}, element("caption", {}, title),
       element("thead", {}, element("tr", {}, ...heads.map(h => element("th", {scope: "col"}, h)))), element("tbody", {}, ...inside.flatMap(i => i.lines)))));
   const {block, property} = worst.row, block_ = own.filter(r => r.block === block && r.property === property);
-  if (block_.some(onAxis)) detail.append(element("figure", {}, element("figcaption", {}, caption(block_)), legend(block_, chosen.statistics), charts(block_, chosen.statistics)));
+  if (block_.some(onAxis)) detail.prepend(element("figure", {}, element("figcaption", {}, caption(block_)), legend(block_, chosen.statistics), charts(block_, chosen.statistics)));
   const line = button.closest("tr");
   line.after(element("tr", {class: "detail"}, element("td", {colspan: String(line.children.length)}, detail)));
   worst.toggle.click();

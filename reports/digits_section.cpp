@@ -39,6 +39,10 @@ std::string digits_table(const Looks& looks) {
         columns.add({row["subject"], row["scalar"]});
     cells[{row["operation"], row["subject"], row["scalar"]}][region_of(row)].push_back(&row);
   }
+  std::vector<std::string> order = operations;  // those that fail come first
+  std::ranges::stable_partition(order, [&](const std::string& operation) {
+    return std::ranges::any_of(looks.wrong, [&](const auto& w) { return w.second == operation; });
+  });
   std::map<Place, double> times;
   for (const Json& record : looks.merged.records)
     if (record.contains("cost"))
@@ -62,7 +66,7 @@ std::string digits_table(const Looks& looks) {
                          escaped(subject), swatch(looks.of.at(subject)), escaped(subject));
   }
   std::string body;
-  for (const std::string& operation : operations) {
+  for (const std::string& operation : order) {
     body += fmt::format("<tr data-operation=\"{0}\"><th scope=\"row\">{0}</th>", escaped(operation));
     for (const std::string& subject : subjects)
       for (const auto& [s, scalar] : columns) {
@@ -75,11 +79,14 @@ std::string digits_table(const Looks& looks) {
         std::string boxes;
         for (const auto& rows : cell->second) boxes += box(looks, rows, wide_columns <= 2);
         const auto time = times.find({operation, subject, scalar});
-        body +=
-            fmt::format("<td><button class=\"digits boxes\">{}{}</button></td>", boxes,
-                        time != times.end() && time->second > 0 ? fmt::format("<em>{:.3g}</em>", time->second)
-                        : times.empty()                         ? ""
-                                                                : "<em></em>");
+        body += fmt::format("<td><button class=\"digits boxes\">{}{}</button></td>", boxes,
+                            time != times.end() && time->second > 0
+                                ? "<em>" +
+                                      (time->second < 1000 ? fmt::format("{:.3g}", time->second)
+                                                           : fmt::format("{:.0f}", time->second)) +
+                                      "</em>"
+                            : times.empty() ? ""
+                                            : "<em></em>");
       }
     body += "</tr>\n";
   }

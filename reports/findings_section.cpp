@@ -32,7 +32,9 @@ std::string bands_of(const Looks& looks, const Json& finding, const std::string&
       rows.push_back(&row);
   const std::string zero = error_picture(looks, rows, "theta"),
                     pi = error_picture(looks, rows, "pi_minus_theta");
-  return fmt::format("<div class=\"panels\">{}{}</div>", zero, pi);
+  return fmt::format("<div class=\"panels\">{}{}</div>",
+                     zero.empty() ? "" : "<figure><figcaption>near 0</figcaption>" + zero + "</figure>",
+                     pi.empty() ? "" : "<figure><figcaption>near π</figcaption>" + pi + "</figure>");
 }
 
 /// What else in the record computes the operation in time, and how well: the price of a right one.
@@ -46,16 +48,16 @@ std::string price_of(const Looks& looks, const Json& finding) {
     if (p.operation != operation || p.scalar != "double" || p.latency <= 0) continue;
     if (p.subject == subject)
       own = &p;
-    else if (p.error < 1e-14 && (!better || p.latency < better->latency))
+    else if (!looks.wrong.contains({p.subject, operation}) && (!better || p.latency < better->latency))
       better = &p;
   }
   if (!own) return "";
   const auto words = [](const CostPoint& p) {
-    return fmt::format("{:.1f} digits in {}", std::min(16.0, digits_of(p)), time_text(p.latency));
+    return fmt::format("{:.1f} digits in {}", shown_digits(p), time_text(p.latency));
   };
   return words(*own) + " on the timed inputs" +
          (better && better->error < .1 * own->error
-              ? fmt::format("; {} has {}", better->subject, words(*better))
+              ? fmt::format("; {}, which is within budget, has {}", better->subject, words(*better))
               : std::string());
 }
 
@@ -64,6 +66,9 @@ std::string price_of(const Looks& looks, const Json& finding) {
 std::string findings_section(const Looks& looks) {
   std::string out;
   std::size_t count = 0;
+  const bool one = std::ranges::all_of(looks.merged.results, [&](const Json& row) {
+    return row["subject"] == looks.merged.results.front()["subject"];
+  });
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings")) {
       ++count;
@@ -80,9 +85,9 @@ std::string findings_section(const Looks& looks) {
       }
       const std::string subject = finding["subject"];
       out += fmt::format(
-          "<article class=\"finding\"><h3>{}<span class=\"of\">{}</span> {}<br><b>{}</b></h3>\n<div "
-          "class=\"halves\"><dl>{}</dl>{}</div></article>\n",
-          swatch(looks.of.at(subject)), escaped(subject), escaped(parts.title.substr(0, colon)),
+          "<article class=\"finding\"><div><h3>{}<span class=\"of\">{}</span> {}<b>{}</b></h3>\n"
+          "<dl>{}</dl></div>{}</article>\n",
+          swatch(looks.of.at(subject)), one ? "" : escaped(subject), escaped(parts.title.substr(0, colon)),
           colon == std::string::npos ? "" : escaped(parts.title.substr(colon + 2)), lines,
           bands_of(looks, finding, parts.title));
     }
@@ -90,7 +95,7 @@ std::string findings_section(const Looks& looks) {
   return fmt::format(
       "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is wrong: "
       "{} finding{}, the worst first</h2>\n"
-      "<div class=\"cards\">{}</div></section>\n",
+      "{}</section>\n",
       count, count == 1 ? "" : "s", out);
 }
 

@@ -33,12 +33,13 @@ std::string text_of(const Json& row, const char* name);
 std::string status_text(const std::string& status);
 
 struct Looks;
+struct FirstScreen;
 
 /// The verdict on all, and one line for each library.
-std::string verdict_lines(const Looks& looks);
+std::string verdict_lines(const Looks& looks, const FirstScreen& screen);
 
 /// The three questions, with their answers and pictures.
-std::string answers_section(const Looks& looks);
+std::string answers_section(const FirstScreen& screen);
 
 /// A card for each finding, as the terminal tells it; "" if there are none.
 std::string findings_section(const Looks& looks);
@@ -47,7 +48,7 @@ std::string findings_section(const Looks& looks);
 std::string digits_table(const Looks& looks);
 
 /// Section "What accuracy costs in time": advice, the price of each further digit, every row.
-std::string cost_section(const Merged& merged);
+std::string cost_section(const Looks& looks);
 
 /// Section "Scalar coefficients: every float".
 std::string sweep_section(const Merged& merged);

@@ -13,10 +13,7 @@
 namespace liecheck::reports {
 namespace {
 
-struct Verdict {
-  const char *kind, *mark;
-  std::string words;  // HTML
-};
+using Verdict = FirstScreen::Line;
 
 std::string plural(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
@@ -53,25 +50,26 @@ Verdict verdict_on(const Looks& looks, const std::string& subject, const std::ve
   const std::string hard = hard_words(cases, subject);
   const std::string also = hard.empty() ? "." : "; " + hard + ".";
   if (!failing.empty())
-    return {"fail", "✗",
+    return {subject, "fail", "✗",
             fmt::format("is <b>wrong in {} of {}</b>{} Worst: {}.", wrong.size(),
                         plural(all.size(), "operation"), also, worst_of(looks, subject, failing))};
   if (std::ranges::any_of(cases, [&](const HardCase& c) { return c.subject == subject && c.failed; }))
-    return {"fail", "✗", fmt::format("is <b>wrong on hard cases</b>: {}; no band is over its budget.", hard)};
+    return {subject, "fail", "✗",
+            fmt::format("is <b>wrong on hard cases</b>: {}; no band is over its budget.", hard)};
   for (const Json& record : looks.merged.records)
     for (const Json& call : list_in(record, "wrong_calls"))
       if (call["subject"] == subject)
-        return {"fail", "✗",
+        return {subject, "fail", "✗",
                 fmt::format("is <b>wrong where adapters are probed</b>, and no law looks: {}.",
                             text_of(call, "sentence"))};
   for (const Json& record : looks.merged.records)
     for (const Json& entry : list_in(record, "not_measured")) open = open || entry["subject"] == subject;
-  if (!passed) return {"open", "?", "is <b>incomplete</b>: nothing was judged."};
+  if (!passed) return {subject, "open", "?", "is <b>incomplete</b>: nothing was judged."};
   if (open)
-    return {"open", "?",
+    return {subject, "open", "?",
             "is <b>incomplete</b>: what was measured is within budget, but not all was measured" + also};
   return {
-      "pass", "✓",
+      subject, "pass", "✓",
       fmt::format("is <b>within budget</b> in {} and every band{}", plural(all.size(), "operation"), also)};
 }
 
@@ -104,122 +102,160 @@ std::vector<const Json*> telling_rows(const Looks& looks, const std::string& sca
   return best;
 }
 
-/// What a user of one operation in double can do: "for 15.5 digits take liecheck (130 ns); textbook keeps 5.4 in 129 ns".
-std::string price_words(const std::vector<CostPoint>& points, const std::string& operation) {
-  std::vector<const CostPoint*> own;
-  for (const CostPoint& p : points)
-    if (p.operation == operation && p.latency > 0 && p.scalar == "double") own.push_back(&p);
-  if (own.empty()) return "timed in other scalars than double.";
-  const auto digits = [](const CostPoint* p) { return std::min(16.0, digits_of(*p)); };
-  std::ranges::stable_sort(own, {}, [](const CostPoint* p) { return p->latency; });
-  const double most = digits(*std::ranges::max_element(own, {}, digits));
-  const CostPoint* best =
-      *std::ranges::find_if(own, [&](const CostPoint* p) { return digits(p) > most - .5; });
-  if (own.size() == 1) return fmt::format("{:.1f} digits in {}.", most, time_text(best->latency));
-  Cells others;
-  for (const CostPoint* p : own)
-    if (p != best && others.size() < 3)
-      others.push_back(
-          fmt::format("{} keeps {:.1f} in {}", escaped(p->subject), digits(p), time_text(p->latency)));
-  return fmt::format("for {:.1f} digits take {} ({}); {}.", digits(best), escaped(best->subject),
-                     time_text(best->latency), fmt::join(others, ", "));
-}
-
-std::string panel(const std::string& head, const std::string& picture) {
-  return picture.empty() ? "" : fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", head, picture);
+/// Which libraries fail near 0 and near pi, of all operations.
+std::string near_words(const Looks& looks) {
+  Distinct<std::string> zero, pi;
+  for (const Json& row : looks.merged.results) {
+    if (row["status"] != "fail") continue;
+    const std::size_t region = region_of(row);
+    if (region < 2) zero.add(row["subject"]);
+    if (region == 3 || region == 4) pi.add(row["subject"]);
+  }
+  const auto names = [](const char* where, const std::vector<std::string>& of) {
+    return of.empty() ? fmt::format("Right {}", where)
+                      : fmt::format("Not {}: {}", where, escaped(fmt::format("{}", fmt::join(of, ", "))));
+  };
+  return zero.empty() && pi.empty() ? "Yes, every operation"
+                                    : names("near 0", zero) + ". " + names("near π", pi);
 }
 
 }  // namespace
 
-std::string verdict_lines(const Looks& looks) {
-  const auto cases = hard_cases(looks.merged);
-  Distinct<std::string> subjects;
-  for (const Json& row : looks.merged.results) subjects.add(row["subject"]);
-  std::vector<std::pair<std::string, Verdict>> all;
-  for (const std::string& subject : subjects) all.emplace_back(subject, verdict_on(looks, subject, cases));
-  const auto count = [&](const char* kind) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(all, [&](const auto& v) { return std::string_view(v.second.kind) == kind; }));
-  };
-  const std::size_t wrong = count("fail"), open = count("open");
-  const std::string word = verdict(looks.merged);
-  std::string title;
-  if (all.empty())
-    title = "Nothing was measured";
-  else if (all.size() == 1)
-    title = fmt::format("{} {}", escaped(all[0].first),
-                        wrong            ? "is wrong"
-                        : word == "pass" ? "is right within its budgets"
-                        : word == "fail" ? "fails a measurement below"
-                                         : "is not wholly measured");
-  else
-    title = wrong            ? fmt::format("{} of {} libraries are wrong", wrong, all.size())
-            : word == "pass" ? fmt::format("All {} libraries are right within their budgets", all.size())
-            : word == "fail" ? "No library is wrong, but a measurement below fails"
-                             : fmt::format("{} of {} libraries are not wholly measured", open, all.size());
-  std::string out = fmt::format(
-      "<h1 class=\"verdict {}\">{}</h1>\n<ul id=\"sentences\" class=\"sentences\" aria-label=\"A verdict for "
-      "each library\">\n",
-      word, title);
-  for (const auto& [subject, v] : all)
-    out += fmt::format(
-        "<li class=\"{0}\"><span class=\"verdict-mark {0}\" aria-hidden=\"true\">{1}</span>{2}<b>{3}</b>{4} "
-        "{5}</li>\n",
-        v.kind, v.mark, swatch(looks.of.at(subject)), escaped(subject),
-        subject == "textbook" ? " (the control, meant to fail)" : "", v.words);
-  return out + "</ul>\n";
+std::string price_words(const Looks& looks, const std::vector<CostPoint>& points,
+                        const std::string& operation) {
+  std::vector<const CostPoint*> own;
+  for (const CostPoint& p : points)
+    if (p.operation == operation && p.latency > 0 && p.scalar == "double") own.push_back(&p);
+  std::ranges::stable_sort(own, {}, [](const CostPoint* p) { return p->latency; });
+  const CostPoint* best = nullptr;
+  for (const CostPoint* p : own)  // of two with digits that differ by less than half of one, the faster
+    if (!looks.wrong.contains({p->subject, operation}) &&
+        (!best || shown_digits(*p) > shown_digits(*best) + .5))
+      best = p;
+  Cells others;
+  for (const CostPoint* p : own)
+    if (p != best && others.size() < 3)
+      others.push_back(fmt::format("{} keeps {:.1f} {}in {}", p->subject, shown_digits(*p),
+                                   best || !others.empty() ? "" : "digits ", time_text(p->latency)));
+  const std::string rest = fmt::format("{}", fmt::join(others, ", "));
+  if (own.empty()) return "timed in other scalars than double.";
+  if (!best) return rest + ": over budget.";
+  if (own.size() == 1)
+    return fmt::format("{:.1f} digits in {}.", shown_digits(*best), time_text(best->latency));
+  return fmt::format("for {:.1f} digits take {} ({}); {}.", shown_digits(*best), best->subject,
+                     time_text(best->latency), rest);
 }
 
-std::string answers_section(const Looks& looks) {
-  Distinct<std::string> scalars;
-  for (const Json& row : looks.merged.results) scalars.add(row["scalar"]);
-  const std::vector<std::string> known = scalars;
-  const std::string scalar =
-      std::ranges::find(known, "double") != known.end() || known.empty() ? "double" : known.front();
-  const std::vector<const Json*> rows = telling_rows(looks, scalar);
-  std::string out;
-  const auto question = [&](const char* id, const char* to, const char* words, const std::string& answer,
-                            const std::string& pictures) {
-    out += fmt::format(
-        "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\"><a "
-        "href=\"#{1}\">{2}</a></h2>\n<p>{3}</p>\n"
-        "<div class=\"panels\">{4}</div></section>\n",
-        id, to, words, answer, pictures);
-  };
+namespace {
+
+std::string title_of(const std::vector<Verdict>& all, const std::string& word) {
+  const auto count = [&](const char* kind) { return std::ranges::count(all, kind, &Verdict::kind); };
+  const auto wrong = count("fail");
+  if (all.empty()) return "Nothing was measured";
+  if (all.size() == 1)
+    return fmt::format("{} {}", escaped(all[0].subject),
+                       wrong            ? "is wrong"
+                       : word == "pass" ? "is right within its budgets"
+                       : word == "fail" ? "fails a measurement below"
+                                        : "is not wholly measured");
+  if (wrong) return fmt::format("{} of {} libraries are wrong", wrong, all.size());
+  if (word == "pass") return fmt::format("All {} libraries are right within their budgets", all.size());
+  return word == "fail"
+             ? "No library is wrong, but a measurement below fails"
+             : fmt::format("{} of {} libraries are not wholly measured", count("open"), all.size());
+}
+
+FirstScreen::Question near_question(const Looks& looks, const std::vector<const Json*>& rows) {
+  FirstScreen::Question all{"cover", "digits", "Is it right near 0 and near π?", "", {}};
   if (rows.empty()) {
-    question("cover", "digits", "Is it right near 0 and near π?", "These records hold no errors by angle.",
-             "");
-  } else {
-    const Json& first = *rows.front();
-    question("cover", "digits", "Is it right near 0 and near π?",
-             fmt::format("Digits lost by <b>{} ({})</b> in {}: the line holds for 99 % of the cases, a mark "
-                         "is the worst one, filled if it is over budget.",
-                         text_of(first, "operation"), text_of(first, "block"), scalar),
-             panel("near 0", error_picture(looks, rows, "theta")) +
-                 panel("near π", error_picture(looks, rows, "pi_minus_theta")));
+    all.answer = "These records hold no errors by angle.";
+    return all;
   }
+  const Json& first = *rows.front();
+  all.answer = fmt::format(
+      "{}. Shown: <b>{} ({})</b> in {}. The line holds for 99 % of the cases; a mark is the worst one, "
+      "filled if it is "
+      "over budget.",
+      near_words(looks), text_of(first, "operation"), text_of(first, "block"), text_of(first, "scalar"));
+  all.pictures = {{"near 0: digits lost", error_picture(looks, rows, "theta")},
+                  {"near π: digits lost", error_picture(looks, rows, "pi_minus_theta")}};
+  return all;
+}
+
+/// Of the operation that the first question shows, if it was timed.
+FirstScreen::Question price_question(const Looks& looks, std::string operation) {
   std::vector<CostPoint> points;
   for (const Json& record : looks.merged.records)
     if (record.contains("cost")) points = cost_points(record["cost"]);
-  std::string operation = rows.empty() ? "exp6" : (*rows.front())["operation"].get<std::string>();
   const auto timed = [&](const std::string& name) {
     return std::ranges::any_of(points,
                                [&](const CostPoint& p) { return p.operation == name && p.latency > 0; });
   };
   if (!timed(operation)) operation = timed("exp6") || points.empty() ? "exp6" : points.front().operation;
-  const std::string cost = cost_picture(looks, points, operation);
-  question("price", "cost", "What does a digit cost?",
-           cost.empty()
-               ? "These records hold no times; <code>liecheck cost</code> measures them."
-               : fmt::format("<b>{}</b> in double: {}", escaped(operation), price_words(points, operation)),
-           panel("correct digits of the worst input", cost));
+  const std::string picture = cost_picture(looks, points, operation);
+  return {"price",
+          "cost",
+          "What does a digit cost?",
+          picture.empty() ? "These records hold no times; <code>liecheck cost</code> measures them."
+                          : fmt::format("<b>{}</b> in double: {}", escaped(operation),
+                                        escaped(price_words(looks, points, operation))),
+          {{"correct digits of the worst input", picture}}};
+}
+
+}  // namespace
+
+FirstScreen first_screen(const Looks& looks) {
+  FirstScreen all;
   const auto cases = hard_cases(looks.merged);
+  Distinct<std::string> subjects, scalars;
+  for (const Json& row : looks.merged.results) subjects.add(row["subject"]), scalars.add(row["scalar"]);
+  for (const std::string& subject : subjects) all.lines.push_back(verdict_on(looks, subject, cases));
+  all.verdict = verdict(looks.merged);
+  all.title = title_of(all.lines, all.verdict);
+  const std::vector<std::string> known = scalars;
+  const bool has_double = std::ranges::find(known, "double") != known.end();
+  const std::vector<const Json*> rows =
+      telling_rows(looks, has_double || known.empty() ? "double" : known.front());
+  all.questions.push_back(near_question(looks, rows));
+  all.questions.push_back(
+      price_question(looks, rows.empty() ? "exp6" : (*rows.front())["operation"].get<std::string>()));
   const std::string hard = hard_words(cases);
-  question("hard", "stability", "Are hard cases stable?",
-           hard.empty() ? "These records hold no hard cases."
-                        : fmt::format("{}{}: known difficult inputs, each in each scalar.",
-                                      hard.starts_with("none") ? "Yes, " : "No, ", hard),
-           cases.empty() ? "" : panel("failing cases by class", hard_picture(looks, cases)));
+  all.questions.push_back({"hard",
+                           "stability",
+                           "Are hard cases stable?",
+                           hard.empty() ? "These records hold no hard cases."
+                                        : fmt::format("{}{}: known difficult inputs, each in each scalar.",
+                                                      hard.starts_with("none") ? "Yes, " : "No, ", hard),
+                           {{"failing cases by class", cases.empty() ? "" : hard_picture(looks, cases)}}});
+  return all;
+}
+
+std::string verdict_lines(const Looks& looks, const FirstScreen& screen) {
+  std::string out = fmt::format(
+      "<h1 class=\"verdict {}\">{}</h1>\n<ul id=\"sentences\" class=\"sentences\" aria-label=\"A verdict for "
+      "each library\">\n",
+      screen.verdict, screen.title);
+  for (const auto& [subject, kind, mark, words] : screen.lines)
+    out += fmt::format(
+        "<li class=\"{0}\"><span class=\"verdict-mark {0}\" aria-hidden=\"true\">{1}</span>{2}<b>{3}</b>{4} "
+        "{5}</li>\n",
+        kind, mark, swatch(looks.of.at(subject)), escaped(subject),
+        subject == "textbook" ? " (the control, meant to fail)" : "", words);
+  return out + "</ul>\n";
+}
+
+std::string answers_section(const FirstScreen& screen) {
+  std::string out;
+  for (const auto& [id, to, words, answer, pictures] : screen.questions) {
+    out += fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\"><a "
+        "href=\"#{1}\">{2}</a></h2>\n<p>{3}</p>\n<div class=\"panels\">",
+        id, to, words, answer);
+    for (const auto& [head, picture] : pictures)
+      if (!picture.empty())
+        out += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", head, picture);
+    out += "</div></section>\n";
+  }
   return out;
 }
 

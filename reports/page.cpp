@@ -267,8 +267,9 @@ std::string files(std::initializer_list<const char*> names) {
 
 std::string page(const Merged& merged, const Json& numbers) {
   const Looks looks(merged);
+  const FirstScreen screen = first_screen(looks);
   const std::map<std::string_view, std::string> slots = {
-      {"style", files({"page.css", "stability.css", "scenes.css"})},
+      {"style", files({"picture.css", "page.css", "stability.css", "scenes.css"})},
       {"chart library", files({"chart.min.js"})},
       {"scripts",
        files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "page.js",
@@ -276,8 +277,8 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"numbers", compressed(dumped(packed(page_numbers(numbers, looks))))},
       {"verdict word", verdict(merged)},
       {"masthead", masthead(merged)},
-      {"verdict", warnings(merged) + verdict_lines(looks)},
-      {"answers", answers_section(looks)},
+      {"verdict", warnings(merged) + verdict_lines(looks, screen)},
+      {"answers", answers_section(screen)},
       {"findings", findings_section(looks)},
       {"digits", digits_table(looks)},
       {"stability", stability_counts(merged)},
@@ -287,7 +288,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"sweep", sweep_section(merged)},
       {"bounds", bounds_section(merged)},
       {"measurements", measurement_sections(merged)},
-      {"cost", cost_section(merged)},
+      {"cost", cost_section(looks)},
       {"scenes", scenes_section(merged)},
       {"definitions", definitions_section(merged)},
       {"coverage", coverage_section(merged)},

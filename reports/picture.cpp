@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <reports/html.hpp>
 #include <reports/summary.hpp>
+#include <set>
+#include <tuple>
 
 namespace liecheck::reports {
 namespace {
@@ -71,16 +72,16 @@ struct Bands {
   bool reverse;
 
   Bands(const std::vector<const Json*>& rows, bool near_pi) : reverse(near_pi) {
-    std::map<std::pair<double, double>, std::string> slots;
+    std::set<std::tuple<double, double, std::string>> slots;  // from the smallest angle
     for (const Json* r : rows)
       if (is_slot(*r))
-        slots[{(*r)["high"].get<double>(), (*r)["low"].get<double>()}] = (*r)["band"];
+        slots.emplace((*r)["high"].get<double>(), (*r)["low"].get<double>(), (*r)["band"]);
       else
         low = std::min(low, std::round(std::log10((*r)["low"].get<double>())));
     const double column = 10, all = column * static_cast<double>(slots.size());
     reverse ? (slots_from = right - all, slots_to = right) : (slots_to = left + all);
     double x = reverse ? right - column / 2 : left + column / 2;
-    for (const auto& [ends, band] : slots) place[band] = x, x += reverse ? -column : column;
+    for (const auto& [high, low_, band] : slots) place[band] = x, x += reverse ? -column : column;
     for (const Json* r : rows)
       if (!is_slot(*r))
         place[(*r)["band"]] =
@@ -157,7 +158,10 @@ std::string error_line(const Looks& looks, const std::vector<const Json*>& own, 
 /// Names beside points, the first ones first; a name that would cover a point or another name is left out.
 class Names {
  public:
-  void keep_free(double x, double y) { taken_.push_back({x - 5, y - 5, x + 5, y + 5}); }
+  struct Box {
+    double x0, y0, x1, y1;
+  };
+  void keep_free(const Box& box) { taken_.push_back(box); }
   std::string name(double x, double y, const std::string& words, const char* kind) {
     const double wide = 5.7 * static_cast<double>(words.size());
     for (const auto& [from, down] : {std::pair(x + 7, y + 3.5),
@@ -180,9 +184,6 @@ class Names {
   }
 
  private:
-  struct Box {
-    double x0, y0, x1, y1;
-  };
   std::vector<Box> taken_;
 };
 
@@ -207,6 +208,11 @@ std::map<std::string, std::size_t> looks_of(const Merged& merged) {
       for (const Json& row : record["cost"]["rows"])
         if (row["subject"] != "call" && !other_flags(row)) add(row["subject"]);
   return looks;
+}
+
+Looks::Looks(const Merged& all) : merged(all), digits(all), of(looks_of(all)) {
+  for (const Json& row : all.results)
+    if (row["status"] == "fail") wrong.emplace(row["subject"], row["operation"]);
 }
 
 std::string swatch(std::size_t look) {
@@ -246,9 +252,7 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
     if (p.operation == operation && p.latency > 0 && (p.scalar == "float" || p.scalar == "double"))
       own.push_back(&p);
   if (own.empty()) return "";
-  const auto digits = [](const CostPoint* p) {
-    return std::min(digits_of(*p), p->scalar == "float" ? 7.2 : 16.0);
-  };
+  const auto digits = [](const CostPoint* p) { return shown_digits(*p); };
   std::ranges::stable_sort(own, {}, [](const CostPoint* p) { return p->latency; });
   const double low = own.front()->latency / 1.5, high = own.back()->latency * 1.7;
   double least = 16, most = 0;
@@ -276,7 +280,13 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
   }
   if (!front.empty()) out += fmt::format("<path class=\"front\" d=\"{}H{}\"/>", stairs, right);
   Names placed;
-  for (const CostPoint* p : own) placed.keep_free(x(p->latency), y(digits(p)));
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const double px = x(front[i]->latency), py = y(digits(front[i]));
+    placed.keep_free({px - 1, py, px + 1, i ? y(digits(front[i - 1])) : bottom});
+    placed.keep_free({px, py - 1, i + 1 < front.size() ? x(front[i + 1]->latency) : right, py + 1});
+  }
+  for (const CostPoint* p : own)
+    placed.keep_free({x(p->latency) - 5, y(digits(p)) - 5, x(p->latency) + 5, y(digits(p)) + 5});
   for (const bool of_front : {true, false})
     for (const CostPoint* p : own) {
       const bool on_front = std::ranges::find(front, p) != front.end();
@@ -325,27 +335,23 @@ std::string hard_picture(const Looks& looks, const std::vector<HardCase>& cases)
     double x0 = names;
     for (const std::string& subject : subjects) {
       const Cell& cell = classes[order[i]][subject];
-      const double share = cell.all ? double(cell.failed) / cell.all : 0;
-      const std::string title =
-          fmt::format("{}, {}: {} of {} fail", subject, order[i], cell.failed, cell.all);
-      out += fmt::format(
-          "<rect class=\"{}\" {}x=\"{:.4g}\" y=\"{:.4g}\" width=\"{:.4g}\" "
-          "height=\"{}\"><title>{}</title></rect>",
-          cell.all == 0 ? "none"
-          : cell.failed ? "bad"
-                        : "good",
-          cell.failed ? fmt::format("fill-opacity=\"{:.2f}\" ", .25 + .75 * share) : "", x0, y, wide - 2,
-          high - 2, escaped(title));
+      const double share = cell.all ? double(cell.failed) / cell.all : 0, full = wide - 2;
+      const bool bar = wide > 60;  // of the share that fails; a narrow cell is the darker, the more fail
+      const auto area = [&](const char* kind, double long_, double opacity) {
+        return fmt::format(
+            "<rect class=\"{}\" fill-opacity=\"{:.2g}\" x=\"{:.4g}\" y=\"{:.4g}\" width=\"{:.4g}\" "
+            "height=\"{}\"/>",
+            kind, opacity, x0, y, long_, high - 2);
+      };
+      out += fmt::format("<g><title>{}: {} of {} fail</title>", escaped(subject + ", " + order[i]),
+                         cell.failed, cell.all);
+      out += area(cell.all ? "good" : "none", full, 1);
+      if (cell.failed) out += area("bad", bar ? full * share : full, bar ? .5 : .2 + .4 * share);
       if (cell.all)
-        out += text(x0 + (wide - 2) / 2, y + 10.5,
-                    cell.failed
-                        ? fmt::format("{}{}", cell.failed, wide > 60 ? fmt::format(" of {}", cell.all) : "")
-                    : wide > 60 ? fmt::format("0 of {}", cell.all)
-                                : "0",
-                    "middle",
-                    cell.failed && share > .45 ? "on-bad"
-                    : cell.failed              ? ""
-                                               : "faint");
+        out += text(x0 + full / 2, y + 10.5,
+                    bar ? fmt::format("{} of {}", cell.failed, cell.all) : std::to_string(cell.failed),
+                    "middle", cell.failed ? "strong" : "");
+      out += "</g>";
       x0 += wide;
     }
     if (sums[order[i]].failed)

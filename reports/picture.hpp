@@ -21,8 +21,32 @@ struct Looks {
   const Merged& merged;
   Digits digits;
   std::map<std::string, std::size_t> of;
-  explicit Looks(const Merged& all) : merged(all), digits(all), of(looks_of(all)) {}
+  std::set<std::pair<std::string, std::string>> wrong;  ///< subject and operation, if a row of them fails
+  explicit Looks(const Merged& all);
 };
+
+/// What a user of one operation in double can do, of the libraries that are right in it: "for 15.5 digits take liecheck (130 ns);
+/// textbook keeps 5.4 in 129 ns".
+std::string price_words(const Looks& looks, const std::vector<CostPoint>& points,
+                        const std::string& operation);
+
+/// What the first screen says: on each library, and on each question. All texts are HTML.
+struct FirstScreen {
+  struct Line {
+    std::string subject, kind, mark, words;  ///< kind: pass, fail or open
+  };
+  struct Question {
+    std::string id, to, words, answer;                          ///< `to`: the section with the details
+    std::vector<std::pair<std::string, std::string>> pictures;  ///< head and SVG
+  };
+  std::string verdict, title;
+  std::vector<Line> lines;
+  std::vector<Question> questions;
+};
+FirstScreen first_screen(const Looks& looks);
+
+/// The first screen as one picture, for a page that is not HTML. It names the digest of the inputs.
+std::string first_picture(const Merged& merged);
 
 /// Digits lost over the angle: of each library, a line that 99 % of the cases do not exceed, and a mark for the worst case.
 /// `rows` are of one scalar and one block of an operation; those of another axis than "theta" or "pi_minus_theta" are left

@@ -32,7 +32,7 @@ double severity(const Json& row) {
 
 Digits::Digits(const Merged& merged) {
   for (const Json& record : merged.records)
-    for (const Json& s : record["subjects"]) eps_[{s["name"], s["scalar"]}] = s["eps"].get<double>();
+    for (const Json& s : list_in(record, "subjects")) eps_[{s["name"], s["scalar"]}] = s["eps"].get<double>();
 }
 
 double Digits::all(const Json& row) const {

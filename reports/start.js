@@ -16,6 +16,11 @@ for (const title of document.querySelectorAll("main h2")) {  // a link to itself
   const link = anchorOf(section.id, title.textContent), summary = title.closest("summary");
   summary ? summary.parentElement.before(link) : title.append(link);  // a summary is a button: no link inside it
 }
+for (const line of document.querySelectorAll(".finding code.replay")) {
+  const button = element("button", {type: "button", class: "copy", "aria-label": `Copy ${line.textContent}`}, "copy");
+  button.addEventListener("click", () => copy(line.textContent, button));
+  line.after(button);
+}
 document.documentElement.dataset.filled = "yes";
 window.addEventListener("beforeprint", toPaper);
 window.addEventListener("afterprint", fromPaper);

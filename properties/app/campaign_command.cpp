@@ -15,6 +15,7 @@
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <record/badge.hpp>
 #include <record/record.hpp>
 #include <reports/report.hpp>
@@ -250,14 +251,17 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
     laws.insert(series->property), scalars.insert(series->scalar);
     whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
   }
-  std::size_t cells = 0, failing = 0;
+  std::map<std::tuple<const HardCase*, std::string, std::string>, bool>
+      cases;  // of each, whether a law fails
   for (const HardRow& row : hard_cases)
-    for (const HardCell& cell : row.cells) ++cells, failing += cell.failed || cell.open;
+    for (const HardCell& cell : row.cells)
+      cases[{row.entry, cell.subject, cell.scalar}] |= cell.failed || cell.open;
+  const auto failing = std::ranges::count(cases | std::views::values, true);
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
       laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
   const char* const verb = failing == 1 ? "fails or has" : "fail or have";
-  if (cells) say("; {} hard cases, of which {} {} no verdict", cells, failing, verb);
+  if (!cases.empty()) say("; {} hard cases, of which {} {} no verdict", cases.size(), failing, verb);
   say("\n");
 }
 
