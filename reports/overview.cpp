@@ -158,11 +158,11 @@ std::string title_of(const std::vector<Verdict>& all, const std::string& word) {
                        : word == "pass" ? "is right within its budgets"
                        : word == "fail" ? "fails a measurement below"
                                         : "is not wholly measured");
-  if (wrong) return fmt::format("{} of {} libraries are wrong", wrong, all.size());
+  if (wrong) return fmt::format("{} of {} libraries {} wrong", wrong, all.size(), wrong == 1 ? "is" : "are");
   if (word == "pass") return fmt::format("All {} libraries are right within their budgets", all.size());
   return word == "fail"
              ? "No library is wrong, but a measurement below fails"
-             : fmt::format("{} of {} libraries are not wholly measured", count("open"), all.size());
+             : fmt::format("Not all was measured of {} of {} libraries", count("open"), all.size());
 }
 
 FirstScreen::Question near_question(const Looks& looks, const std::vector<const Json*>& rows) {

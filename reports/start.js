@@ -12,7 +12,6 @@ if (results.length) {
 }
 for (const title of document.querySelectorAll("main h2")) {  // a link to itself beside each heading
   const section = title.closest("section");
-  if (title.querySelector("a")) continue;
   const link = anchorOf(section.id, title.textContent), summary = title.closest("summary");
   summary ? summary.parentElement.before(link) : title.append(link);  // a summary is a button: no link inside it
 }

@@ -15,7 +15,6 @@
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <record/badge.hpp>
 #include <record/record.hpp>
 #include <reports/report.hpp>
@@ -29,7 +28,6 @@
 #include <support/terminal.hpp>
 #include <support/text.hpp>
 #include <tuple>
-#include <utility>
 
 namespace liecheck::properties {
 
@@ -251,12 +249,10 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
     laws.insert(series->property), scalars.insert(series->scalar);
     whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
   }
-  std::map<std::tuple<const HardCase*, std::string, std::string>, bool>
-      cases;  // of each, whether a law fails
+  std::map<std::tuple<const HardCase*, std::string, std::string>, bool> cases;  // whether a law fails
   for (const HardRow& row : hard_cases)
-    for (const HardCell& cell : row.cells)
-      cases[{row.entry, cell.subject, cell.scalar}] |= cell.failed || cell.open;
-  const auto failing = std::ranges::count(cases | std::views::values, true);
+    for (const HardCell& c : row.cells) cases[{row.entry, c.subject, c.scalar}] |= c.failed || c.open;
+  const auto failing = std::ranges::count_if(cases, [](const auto& c) { return c.second; });
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
       laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
@@ -265,7 +261,7 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   say("\n");
 }
 
-/// Prints the verdict, the findings, how the adapters' conventions and choices differ, and what was measured; if verbose, the details too. Returns the verdict's exit code.
+/// Prints the verdict, the findings, how conventions differ, what was measured and, if verbose, details; returns the exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const ToldFindings& told,
                    const CampaignFlags& f, const Differences& differ) {
   std::set<std::string> subjects;

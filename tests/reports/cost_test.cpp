@@ -5,6 +5,7 @@
 #include <cmath>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 #include "sample_record.hpp"
 
@@ -35,7 +36,8 @@ TEST(CostReport, AdviceFollowsFromTheFigures) {
 }
 
 TEST(CostReport, TheSectionNamesMachineAndVariants) {
-  const std::string text = cost_section({{Json{{"cost", cost()}}}, {}, {}});
+  const Merged merged{{Json{{"cost", cost()}}}, {}, {}};
+  const std::string text = cost_section(Looks(merged));
   for (const char* part :
        {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
         "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
@@ -43,8 +45,9 @@ TEST(CostReport, TheSectionNamesMachineAndVariants) {
     EXPECT_TRUE(has(text, part)) << part;
   const char* warning = "The machine changed speed during this run";
   EXPECT_FALSE(has(text, warning));
-  EXPECT_TRUE(has(cost_section({{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}), warning));
-  EXPECT_TRUE(has(cost_section({}), "These records hold no times"));
+  const Merged unsteady{{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}, none;
+  EXPECT_TRUE(has(cost_section(Looks(unsteady)), warning));
+  EXPECT_TRUE(has(cost_section(Looks(none)), "These records hold no times"));
 }
 
 TEST(CostReport, NamesTheFieldThatItRefuses) {
