@@ -10,14 +10,35 @@ bool other_flags(const Json& row) {
   return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
 }
 
-std::vector<CostPoint> cost_points(const Json& cost) {
+namespace {
+
+/// The largest relative error of the inputs of a set, as `error` of a row is that of all; infinite if one has no error.
+double error_of_set(const Json& set, double eps) {
+  double most = 0;
+  for (const Json& b : set["blocks"]) {
+    if (b["block"].get_ref<const std::string&>().ends_with("defect")) continue;
+    for (const char* outcome : {"not_finite", "wrong_branch", "refused"})
+      if (b[outcome] > 0) return std::numeric_limits<double>::infinity();
+    most = std::max(most, figure(b["max_eps"]) * eps);
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
   std::vector<CostPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["error"].is_null() || other_flags(row)) continue;
-    const Json& latency = row["sets"].back()["latency"];
-    points.push_back({row["subject"], row["scalar"], row["operation"], figure(row["error"]),
+    const auto own = set.empty()
+                         ? std::prev(row["sets"].end())
+                         : std::ranges::find_if(row["sets"], [&](const Json& s) { return s["set"] == set; });
+    if (own == row["sets"].end()) continue;
+    const Json& latency = (*own)["latency"];
+    points.push_back({row["subject"], row["scalar"], row["operation"],
+                      set.empty() ? figure(row["error"]) : error_of_set(*own, row["eps"]),
                       latency.is_null() ? 0 : latency["ns"].get<double>(),
-                      !row["dominated_latency"].is_null()});
+                      set.empty() && !row["dominated_latency"].is_null()});
   }
   return points;
 }
@@ -42,6 +63,10 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
     last = p;
   }
   return steps;
+}
+
+double shown_digits(const CostPoint& p) {
+  return std::min(digits_of(p), p.scalar == "float" ? 7.2 : p.scalar == "double" ? 16.0 : 100.0);
 }
 
 }  // namespace liecheck::reports

@@ -19,8 +19,12 @@ struct CostPoint {
 /// Whether a row is the same code with other compiler flags, "liecheck@gcc-O2".
 bool other_flags(const Json& row);
 
-/// The points in the order of the record, without the rows of `call` and of other compiler flags.
-std::vector<CostPoint> cost_points(const Json& cost);
+/// The points in the order of the record, without the rows of `call` and of other compiler flags: over all inputs or, with
+/// the name of a set, over those of one band of angles, where none counts as dominated.
+std::vector<CostPoint> cost_points(const Json& cost, const std::string& set = "");
+
+/// The correct digits that are shown: at most those that the scalar has.
+double shown_digits(const CostPoint& point);
 
 /// Correct digits, max(0, -log10 error): infinite if every result is exact, 0 if a case has no result.
 double digits_of(const CostPoint& point);

@@ -5,10 +5,34 @@
 #include <reports/cost_advice.hpp>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 namespace liecheck::reports {
 
 namespace {
+
+/// Operations that a tracker or controller calls.
+const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
+
+/// Of each operation of `core`, the error against time near 0, at moderate angles and near pi.
+std::string fronts(const Looks& looks, const Json& cost) {
+  std::string out;
+  for (const std::string& operation : core) {
+    std::string panels;
+    for (const CostRegion& region : cost_regions(cost)) {
+      const std::string picture = cost_picture(looks, cost_points(cost, region.bands.front()), operation);
+      if (!picture.empty())
+        panels +=
+            fmt::format("<figure><figcaption>{}</figcaption><p class=\"note\">{}</p>{}</figure>", region.name,
+                        cost_sentence(region_points(cost, operation, region), libraries_in(cost)), picture);
+    }
+    if (!panels.empty())
+      out += fmt::format(
+          "<h3>{}: correct digits over the latency of a call</h3>\n<div class=\"panels\">{}</div>\n",
+          operation, panels);
+  }
+  return out;
+}
 
 std::string price_table(const std::vector<CostPoint>& points, const std::vector<std::string>& operations) {
   std::vector<Cells> rows;
@@ -68,16 +92,16 @@ std::string flags_table(const Json& cost) {
 
 }  // namespace
 
-std::string cost_section(const Merged& merged) {
+std::string cost_section(const Looks& looks) {
   std::string out;
-  for (const Json& record : merged.records) {
+  for (const Json& record : looks.merged.records) {
     if (!record.contains("cost")) continue;
     const Json &cost = record["cost"], &e = cost["environment"];
     const auto points = cost_points(cost);
     Distinct<std::string> operations;
     for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
-    out += cost_advice(cost);
+    out += fronts(looks, cost) + cost_advice(cost);
     out += fmt::format(
         "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "

@@ -107,6 +107,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
     warn(fmt::format("wrong: {}: {}\n", call.subject, call.sentence));
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = full_record_of(run);
+  if (!stop_requested) add_findings(record, told_findings(run.result, hard_cases, false));
   add_hard_cases(record, hard_cases, run.result.incomplete);
   // The record is written after each part, so that whatever ends the program later does not lose it.
   write_record(file, record);

@@ -6,6 +6,7 @@
 #include <reports/cost_advice.hpp>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 #include "sample_record.hpp"
 
@@ -80,15 +81,17 @@ TEST(CostReport, ARegionTakesTheWorstErrorOfItsBandsAndTheMeanOfTheirTimes) {
 }
 
 TEST(CostReport, TheSectionNamesMachineAndVariants) {
-  const std::string text = cost_section({{Json{{"cost", cost()}}}, {}, {}});
+  const Merged merged{{Json{{"cost", cost()}}}, {}, {}};
+  const std::string text = cost_section(Looks(merged));
   for (const char* part : {"c&lt;1&gt;", "governor g", "not counted (perf_event_open: none)",
                            "+5.5 for +30 ns", "the rest for +", "Compilers and flags",
                            "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps", "the median of 20 processes"})
     EXPECT_TRUE(has(text, part)) << part;
   const char* warning = "The machine changed speed during this run";
   EXPECT_FALSE(has(text, warning));
-  EXPECT_TRUE(has(cost_section({{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}), warning));
-  EXPECT_TRUE(has(cost_section({}), "These records hold no times"));
+  const Merged unsteady{{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}, none;
+  EXPECT_TRUE(has(cost_section(Looks(unsteady)), warning));
+  EXPECT_TRUE(has(cost_section(Looks(none)), "These records hold no times"));
 }
 
 TEST(CostReport, NamesTheFieldThatItRefuses) {

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <reports/html.hpp>
+#include <reports/picture.hpp>
+
+namespace liecheck::reports {
+namespace {
+
+/// The rows of the block that a finding names first, in the scalar that loses most, near 0 and near pi.
+std::string bands_of(const Looks& looks, const Json& finding, const std::string& title) {
+  const std::string operation = finding["operation"];
+  std::map<std::pair<std::string, std::string>, std::vector<const Json*>> groups;  // law and block
+  const Json* worst = nullptr;
+  for (const Json& row : looks.merged.results) {
+    if (row["subject"] != finding["subject"] || row["operation"] != operation) continue;
+    const bool named = title.find("(" + row["block"].get<std::string>()) != title.npos;
+    const double rank = severity(row) + (named ? 1e7 : 0) + (row["scalar"] == "double" ? 1e5 : 0);
+    if (row["axis"] == "none" || row["count"] == 0) continue;
+    const double best =
+        !worst ? -1
+               : severity(*worst) +
+                     (title.find("(" + (*worst)["block"].get<std::string>()) != title.npos ? 1e7 : 0) +
+                     ((*worst)["scalar"] == "double" ? 1e5 : 0);
+    if (rank > best) worst = &row;
+  }
+  if (!worst) return "";
+  std::vector<const Json*> rows;
+  for (const Json& row : looks.merged.results)
+    if (std::ranges::all_of(std::array{"subject", "operation", "block", "property", "scalar"},
+                            [&](const char* name) { return row[name] == (*worst)[name]; }))
+      rows.push_back(&row);
+  const std::string zero = error_picture(looks, rows, "theta"),
+                    pi = error_picture(looks, rows, "pi_minus_theta");
+  return fmt::format("<div class=\"panels\">{}{}</div>",
+                     zero.empty() ? "" : "<figure><figcaption>near 0</figcaption>" + zero + "</figure>",
+                     pi.empty() ? "" : "<figure><figcaption>near π</figcaption>" + pi + "</figure>");
+}
+
+/// What else in the record computes the operation in time, and how well: the price of a right one.
+std::string price_of(const Looks& looks, const Json& finding) {
+  const std::string operation = finding["operation"], subject = finding["subject"];
+  std::vector<CostPoint> points;
+  for (const Json& record : looks.merged.records)
+    if (record.contains("cost")) points = cost_points(record["cost"]);
+  const CostPoint *own = nullptr, *better = nullptr;
+  for (const CostPoint& p : points) {
+    if (p.operation != operation || p.scalar != "double" || p.latency <= 0) continue;
+    if (p.subject == subject)
+      own = &p;
+    else if (!looks.wrong.contains({p.subject, operation}) && (!better || p.latency < better->latency))
+      better = &p;
+  }
+  if (!own) return "";
+  const auto words = [](const CostPoint& p) {
+    return fmt::format("{:.1f} digits in {}", shown_digits(p), time_text(p.latency));
+  };
+  return words(*own) + " on the timed inputs" +
+         (better && better->error < .1 * own->error
+              ? fmt::format("; {}, which is within budget, has {}", better->subject, words(*better))
+              : std::string());
+}
+
+}  // namespace
+
+std::string findings_section(const Looks& looks) {
+  std::string out;
+  std::size_t count = 0;
+  const bool one = std::ranges::all_of(looks.merged.results, [&](const Json& row) {
+    return row["subject"] == looks.merged.results.front()["subject"];
+  });
+  for (const Json& record : looks.merged.records)
+    for (const Json& finding : list_in(record, "findings")) {
+      ++count;
+      FindingText parts = parts_of(finding["text"]);
+      if (const std::string price = price_of(looks, finding); !price.empty())
+        parts.lines.emplace_back("time", price);
+      const auto colon = parts.title.find(": ");
+      std::string lines;
+      for (const auto& [name, words] : parts.lines) {
+        const bool is_code = name == "replay" || name == "program";
+        lines += fmt::format(
+            "<dt>{}</dt><dd>{}</dd>\n", escaped(name),
+            is_code ? fmt::format("<code class=\"replay\">{}</code>", escaped(words)) : escaped(words));
+      }
+      const std::string subject = finding["subject"];
+      out += fmt::format(
+          "<article class=\"finding\"><div><h3>{}<span class=\"of\">{}</span> {}<b>{}</b></h3>\n"
+          "<dl>{}</dl></div>{}</article>\n",
+          swatch(looks.of.at(subject)), one ? "" : escaped(subject), escaped(parts.title.substr(0, colon)),
+          colon == std::string::npos ? "" : escaped(parts.title.substr(colon + 2)), lines,
+          bands_of(looks, finding, parts.title));
+    }
+  if (out.empty()) return "";
+  return fmt::format(
+      "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is wrong: "
+      "{} finding{}, the worst first</h2>\n"
+      "{}</section>\n",
+      count, count == 1 ? "" : "s", out);
+}
+
+}  // namespace liecheck::reports
