@@ -23,8 +23,9 @@ struct AxisAngle {
   Vector4<S> to_vector() const { return Vector4<S>(axis[0], axis[1], axis[2], angle); }
 };
 
-/// The unit quaternion of the rotation nearest to R [3 x 3], |R^T R - I| <= 8 eps, or <= 1/2 for scalars wider than double. Its largest number among the four is
-/// positive. Error 2 eps of the rotation, 4 eps of the norm. Source: Shepperd 1978.
+/// The unit quaternion of the rotation nearest to R [3 x 3], |R^T R - I| <= 8 eps, or <= 1/2 for scalars wider than
+/// double. Its largest number among the four is positive. Error 2 eps of the rotation, 4 eps of the norm.
+/// Source: Shepperd 1978.
 template <Scalar S>
 SO3<S> toQuaternion(const Matrix3<S>& stored) {
   const Matrix3<S>& R = unit_vector_detail::firstOrderOrthogonal<S>(stored);
