@@ -5,8 +5,8 @@
 const LOOKS = [
   {light: "#0072b2", dark: "#5ab4ec", shape: "circle"}, {light: "#d55e00", dark: "#ff8a3d", shape: "triangle"},
   {light: "#009e73", dark: "#2fcf9f", shape: "rect"}, {light: "#cc79a7", dark: "#e79cc6", shape: "rectRot"},
-  {light: "#000000", dark: "#f2f2f2", shape: "crossRot"}, {light: "#e69f00", dark: "#f3bd3f", shape: "star"},
-  {light: "#56b4e9", dark: "#a9dcfa", shape: "cross"}, {light: "#882255", dark: "#d9629f", shape: "circle"},
+  {light: "#882255", dark: "#d9629f", shape: "circle"}, {light: "#e69f00", dark: "#f3bd3f", shape: "star"},
+  {light: "#56b4e9", dark: "#a9dcfa", shape: "cross"}, {light: "#000000", dark: "#f2f2f2", shape: "crossRot"},
   {light: "#44aa99", dark: "#7fd6c8", shape: "triangle"}, {light: "#999933", dark: "#d0d06a", shape: "rect"},
   {light: "#661100", dark: "#c9806f", shape: "rectRot"}];
 const STATISTICS = {

@@ -133,7 +133,8 @@ for (const line of document.querySelectorAll("#digits-table tbody tr")) {
     if (!button) continue;
     Object.assign(button.dataset, {operation: line.dataset.operation, subject, scalar});
     button.setAttribute("aria-expanded", "false");
-    button.setAttribute("aria-label", cellWords(button));
+    for (const box of button.children) box.setAttribute("aria-hidden", "true");
+    button.prepend(element("span", {class: "spoken"}, cellWords(button)));
   }
 }
 document.getElementById("digits-table").addEventListener("click", event => {

@@ -23,7 +23,8 @@ std::string box(const Looks& looks, const std::vector<const Json*>& rows, bool w
   const std::string words = !outcome.empty() ? outcome.substr(0, 1) == "N" ? "N" : "B"
                             : wide           ? fmt::format("{:.1f}", kept)
                                              : fmt::format("{}", std::floor(kept + .05));
-  return fmt::format("<i class={}>{}</i>", any("fail") ? "f" : any("pass") ? "p" : "o", words);
+  const char* fails = outcome.empty() && looks.digits.lost(worst) < 2 ? "m" : "f";  // mildly, or not
+  return fmt::format("<i class={}>{}</i>", any("fail") ? fails : any("pass") ? "p" : "o", words);
 }
 
 }  // namespace
@@ -50,6 +51,7 @@ std::string digits_table(const Looks& looks) {
         times[{p.operation, p.subject, p.scalar}] = p.latency;
   std::string heads = "<tr><th scope=\"col\" rowspan=\"2\">operation</th>", scalars = "<tr>", names;
   for (const Region& r : regions) names += fmt::format("<i>{}</i>", r.brief);
+  if (!times.empty()) names += "<em></em>";
   std::size_t wide_columns = 0;
   for (const std::string& subject : subjects) {
     int span = 0;
@@ -92,10 +94,10 @@ std::string digits_table(const Looks& looks) {
   }
   if (body.empty()) return "<p>The records hold no results.</p>\n";
   return fmt::format(
-      "<table><caption class=\"spoken\">Digits that the worst case found keeps, by operation, library, "
+      "<table{}><caption class=\"spoken\">Digits that the worst case found keeps, by operation, library, "
       "scalar and region of the angle</caption>"
       "<thead>{}</tr>{}</tr></thead><tbody>{}</tbody></table>",
-      heads, scalars, body);
+      wide_columns <= 2 ? " class=\"wide\"" : "", heads, scalars, body);
 }
 
 }  // namespace liecheck::reports

@@ -3,41 +3,37 @@
 #include <algorithm>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
+#include <tuple>
 
 namespace liecheck::reports {
 namespace {
 
-/// The rows of the block that a finding names first, in the scalar that loses most, near 0 and near pi.
+/// The pictures near 0 and near pi of the block that a finding names, of its worst one in double if it names several.
 std::string bands_of(const Looks& looks, const Json& finding, const std::string& title) {
-  const std::string operation = finding["operation"];
-  std::map<std::pair<std::string, std::string>, std::vector<const Json*>> groups;  // law and block
-  const Json* worst = nullptr;
-  for (const Json& row : looks.merged.results) {
-    if (row["subject"] != finding["subject"] || row["operation"] != operation) continue;
+  const auto rank = [&](const Json& row) {
     const bool named = title.find("(" + row["block"].get<std::string>()) != title.npos;
-    const double rank = severity(row) + (named ? 1e7 : 0) + (row["scalar"] == "double" ? 1e5 : 0);
-    if (row["axis"] == "none" || row["count"] == 0) continue;
-    const double best =
-        !worst ? -1
-               : severity(*worst) +
-                     (title.find("(" + (*worst)["block"].get<std::string>()) != title.npos ? 1e7 : 0) +
-                     ((*worst)["scalar"] == "double" ? 1e5 : 0);
-    if (rank > best) worst = &row;
-  }
+    return std::tuple(named, row["scalar"] == "double", severity(row));
+  };
+  const Json* worst = nullptr;
+  for (const Json& row : looks.merged.results)
+    if (row["subject"] == finding["subject"] && row["operation"] == finding["operation"] &&
+        row["axis"] != "none" && row["count"] > 0 && (!worst || rank(row) > rank(*worst)))
+      worst = &row;
   if (!worst) return "";
   std::vector<const Json*> rows;
   for (const Json& row : looks.merged.results)
     if (std::ranges::all_of(std::array{"subject", "operation", "block", "property", "scalar"},
                             [&](const char* name) { return row[name] == (*worst)[name]; }))
       rows.push_back(&row);
-  const std::string zero = error_picture(looks, rows, "theta"),
-                    pi = error_picture(looks, rows, "pi_minus_theta");
-  return fmt::format("<div class=\"panels\">{}{}</div>",
-                     zero.empty() ? "" : "<figure><figcaption>near 0</figcaption>" + zero + "</figure>",
-                     pi.empty() ? "" : "<figure><figcaption>near π</figcaption>" + pi + "</figure>");
+  std::string out;
+  for (const auto& [head, axis] : {std::pair("near 0", "theta"), {"near π", "pi_minus_theta"}})
+    if (const std::string picture = error_picture(looks, rows, axis); !picture.empty())
+      out += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", head, picture);
+  return "<div class=\"panels\">" + out + "</div>";
 }
 
-/// What else in the record computes the operation in time, and how well: the price of a right one.
+/// The digits and the time of the operation on the timed inputs, and those of the fastest library that is right in it; ""
+/// without times.
 std::string price_of(const Looks& looks, const Json& finding) {
   const std::string operation = finding["operation"], subject = finding["subject"];
   std::vector<CostPoint> points;
@@ -78,10 +74,11 @@ std::string findings_section(const Looks& looks) {
       const auto colon = parts.title.find(": ");
       std::string lines;
       for (const auto& [name, words] : parts.lines) {
-        const bool is_code = name == "replay" || name == "program";
-        lines += fmt::format(
-            "<dt>{}</dt><dd>{}</dd>\n", escaped(name),
-            is_code ? fmt::format("<code class=\"replay\">{}</code>", escaped(words)) : escaped(words));
+        lines +=
+            fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name),
+                        name == "replay"    ? fmt::format("<code class=\"replay\">{}</code>", escaped(words))
+                        : name == "program" ? fmt::format("<code class=\"program\">{}</code>", escaped(words))
+                                            : escaped(words));
       }
       const std::string subject = finding["subject"];
       out += fmt::format(
@@ -94,9 +91,9 @@ std::string findings_section(const Looks& looks) {
   if (out.empty()) return "";
   return fmt::format(
       "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is wrong: "
-      "{} finding{}, the worst first</h2>\n"
+      "{} finding{}</h2>\n"
       "{}</section>\n",
-      count, count == 1 ? "" : "s", out);
+      count, count == 1 ? "" : "s, the worst first", out);
 }
 
 }  // namespace liecheck::reports

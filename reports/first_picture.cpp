@@ -6,7 +6,7 @@
 namespace liecheck::reports {
 namespace {
 
-constexpr double wide = 1352, margin = 20, panel_wide = 312, panel_gap = 16;
+constexpr double wide = 1372, margin = 20, panel_wide = 312, panel_gap = 16;
 
 /// The text of HTML without its elements; what stands between <span class="where"> and </span> is left out.
 std::string without_elements(std::string html) {

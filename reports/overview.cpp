@@ -112,8 +112,9 @@ std::string near_words(const Looks& looks) {
     if (region == 3 || region == 4) pi.add(row["subject"]);
   }
   const auto names = [](const char* where, const std::vector<std::string>& of) {
-    return of.empty() ? fmt::format("Right {}", where)
-                      : fmt::format("Not {}: {}", where, escaped(fmt::format("{}", fmt::join(of, ", "))));
+    const std::string names =
+        of.size() > 4 ? fmt::format("{} libraries", of.size()) : fmt::format("{}", fmt::join(of, ", "));
+    return of.empty() ? fmt::format("Right {}", where) : fmt::format("Not {}: {}", where, escaped(names));
   };
   return zero.empty() && pi.empty() ? "Yes, every operation"
                                     : names("near 0", zero) + ". " + names("near π", pi);
@@ -232,9 +233,10 @@ FirstScreen first_screen(const Looks& looks) {
 
 std::string verdict_lines(const Looks& looks, const FirstScreen& screen) {
   std::string out = fmt::format(
-      "<h1 class=\"verdict {}\">{}</h1>\n<ul id=\"sentences\" class=\"sentences\" aria-label=\"A verdict for "
+      "<h1 class=\"verdict {}\">{}</h1>\n<ul id=\"sentences\" class=\"sentences{}\" aria-label=\"A verdict "
+      "for "
       "each library\">\n",
-      screen.verdict, screen.title);
+      screen.verdict, screen.title, screen.lines.size() > 5 ? " many" : "");
   for (const auto& [subject, kind, mark, words] : screen.lines)
     out += fmt::format(
         "<li class=\"{0}\"><span class=\"verdict-mark {0}\" aria-hidden=\"true\">{1}</span>{2}<b>{3}</b>{4} "

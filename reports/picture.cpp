@@ -16,13 +16,13 @@ namespace {
 constexpr double width = 320, height = 236, left = 30, right = 312, top = 12, bottom = 196;
 
 /// Outlines around a point, in the order of the looks.
-constexpr std::array markers = {"m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0z",
-                                "m0-4l4 7h-8z",
-                                "m-3-3h6v6h-6z",
-                                "m0-4.2l4.2 4.2l-4.2 4.2l-4.2-4.2z",
-                                "m-3-3l6 6m0-6l-6 6",
-                                "m-3-3l6 6m0-6l-6 6m-3-7v8m-4-4h8",
-                                "m0-4v8m-4-4h8"};
+constexpr auto circle = "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0z", triangle = "m0-4l4 7h-8z",
+               square = "m-3-3h6v6h-6z", diamond = "m0-4.2l4.2 4.2l-4.2 4.2l-4.2-4.2z",
+               star = "m-3-3l6 6m0-6l-6 6m3-7v8m-4-4h8", cross = "m0-4v8m-4-4h8",
+               saltire = "m-3-3l6 6m0-6l-6 6";
+constexpr std::array markers = {circle, triangle, square,   diamond, circle, star,
+                                cross,  saltire,  triangle, square,  diamond};
+static_assert(markers.size() == look_count);
 
 std::string text(double x, double y, const std::string& words, const char* anchor = "middle",
                  const char* kind = "") {
@@ -37,7 +37,7 @@ std::string line(double x0, double y0, double x1, double y1, const char* kind) {
 std::string marker(double x, double y, std::size_t shape, const std::string& title,
                    const char* kind = "mark") {
   return fmt::format("<path class=\"{}\" d=\"M{:.4g} {:.4g}{}\"><title>{}</title></path>", kind, x, y,
-                     markers[shape % markers.size()], escaped(title));
+                     markers[shape % look_count], escaped(title));
 }
 
 /// The elements of a library, in its colour.
@@ -220,7 +220,7 @@ std::string swatch(std::size_t look) {
       "<svg class=\"swatch\" width=\"26\" height=\"12\" viewBox=\"0 0 26 12\" aria-hidden=\"true\" "
       "style=\"--c:var(--look-{})\"><path class=\"line\" d=\"M0 6h26\"/><path class=\"mark bad\" d=\"M13 "
       "6{}\"/></svg>",
-      look % look_count, markers[look % look_count % markers.size()]);
+      look % look_count, markers[look % look_count]);
 }
 
 std::string error_picture(const Looks& looks, const std::vector<const Json*>& rows, const std::string& axis) {
@@ -326,7 +326,7 @@ std::string hard_picture(const Looks& looks, const std::vector<HardCase>& cases)
   double x = names;
   for (const std::string& subject : subjects) {
     const std::size_t look = looks.of.contains(subject) ? looks.of.at(subject) : 0;
-    out += in_look(look, marker(x + wide / 2, 6, look, subject, "mark bad"));
+    if (subjects.size() > 1) out += in_look(look, marker(x + wide / 2, 6, look, subject, "mark bad"));
     x += wide;
   }
   for (std::size_t i = 0; i < std::min(order.size(), shown); ++i) {

@@ -48,9 +48,9 @@ double Digits::lost(const Json& row) const {
 
 std::string Digits::words(const Json& row) const {
   if (const std::string outcome = outcome_of(row); !outcome.empty()) return outcome;
-  const std::string lost_ = fmt::format("{:.1f}", lost(row)), all_ = fmt::format("{:.1f}", all(row));
-  return lost_ == all_ ? fmt::format("all {} digits lost", all_)
-                       : fmt::format("{} of {} digits lost", lost_, all_);
+  const std::string missing = fmt::format("{:.1f}", lost(row)), whole = fmt::format("{:.1f}", all(row));
+  return missing == whole ? fmt::format("all {} digits lost", whole)
+                          : fmt::format("{} of {} digits lost", missing, whole);
 }
 
 std::vector<HardCase> hard_cases(const Merged& merged) {
@@ -88,14 +88,19 @@ FindingText parts_of(const std::string& finding) {
   std::getline(lines, all.title);
   if (const auto at = all.title.find("  "); at != std::string::npos) all.title.erase(0, at + 2);
   for (std::string line; std::getline(lines, line);) {
-    const bool named = line.starts_with("   ") && line.size() > 3 && line[3] != ' ';
-    if (named) {
-      const auto end = std::min(line.find(' ', 3), line.size());
-      const auto text = std::min(line.find_first_not_of(' ', end), line.size());
-      all.lines.emplace_back(line.substr(3, end - 3), line.substr(text));
-    } else if (!all.lines.empty()) {
-      all.lines.back().second += '\n' + line.substr(std::min<std::size_t>(12, line.size()));
-    }
+    const auto end = line.find(' ', 3);  // "   where    theta < 1", with a name of at most 8 letters
+    const bool named = line.size() > 12 && line.starts_with("   ") && line[3] != ' ' && end < 12 &&
+                       line.find_first_not_of(' ', end) == 12;
+    if (named)
+      all.lines.emplace_back(line.substr(3, end - 3), line.substr(12));
+    else if (line.ends_with("'s own program:"))
+      all.lines.emplace_back("program", "");
+    else if (!all.lines.empty())
+      all.lines.back().second += '\n' + (line.starts_with("            ") ? line.substr(12) : line);
+  }
+  for (auto& [name, words] : all.lines) {  // without empty lines around a program
+    words.erase(0, std::min(words.find_first_not_of('\n'), words.size()));
+    words.erase(words.find_last_not_of('\n') + 1);
   }
   return all;
 }

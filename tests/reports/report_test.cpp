@@ -436,10 +436,14 @@ TEST_F(Report, ShowsItsPicturesWithoutAScript) {
 
 TEST(Findings, HaveTheLinesOfTheTerminal) {
   const FindingText f = parts_of(
-      "3  exp6 (translation): bad\n   where    theta < 1\n   example  exp6(1)\n            p[0] is 2\n");
+      "3  exp6 (translation): bad\n   where    theta < 1\n   example  exp6(1)\n            p[0] is 2\n  as "
+      "mine's own program:\n\nprint(1)\n  print(2)\n\n   replay   liecheck replay x\n");
   EXPECT_EQ(f.title, "exp6 (translation): bad");
   using Lines = std::vector<std::pair<std::string, std::string>>;
-  EXPECT_EQ(f.lines, (Lines{{"where", "theta < 1"}, {"example", "exp6(1)\np[0] is 2"}}));
+  EXPECT_EQ(f.lines, (Lines{{"where", "theta < 1"},
+                            {"example", "exp6(1)\np[0] is 2"},
+                            {"program", "print(1)\n  print(2)"},
+                            {"replay", "liecheck replay x"}}));
 }
 
 TEST_F(Report, NamesTheFieldOfAHardCaseThatItRefuses) {
