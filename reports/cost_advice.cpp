@@ -58,6 +58,7 @@ std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint
   };
   const std::string text =
       fmt::format("{}: {:.1f} digits, {}", escaped(own.scalar), digits(own), time_text(own.ns));
+  if (forms_of_it.empty()) return text;
   const RegionPoint& more = fastest_accurate(forms_of_it);
   if (const double won = digits(more) - digits(own); won > 1) {
     const std::string price = own.high < more.low   ? "+" + time_text(more.ns - own.ns)
@@ -83,6 +84,13 @@ std::vector<CostRegion> cost_regions(const Json& cost) {
     all[region].bands.push_back(band["band"]);
   }
   std::erase_if(all, [](const CostRegion& r) { return r.bands.empty(); });
+  return all;
+}
+
+CostRegion every_angle(const Json& cost) {
+  CostRegion all{"every angle", {}};
+  for (const Json& band : list_in(cost, "bands")) all.bands.push_back(band["band"]);
+  if (all.bands.empty()) all.bands = {"mixed"};  // of an older record
   return all;
 }
 
@@ -136,8 +144,7 @@ std::string cost_sentence(const std::vector<RegionPoint>& points, const std::vec
       if (p.subject == libraries.front()) own = &p;
       if (forms.contains(p.subject)) forms_of_it.push_back(p);
     }
-    if (own && !forms_of_it.empty())
-      text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it) + ".";
+    if (own) text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it) + ".";
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <reports/cost_advice.hpp>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
 #include <reports/summary.hpp>
@@ -120,35 +121,6 @@ std::string near_words(const Looks& looks) {
                                     : names("near 0", zero) + ". " + names("near π", pi);
 }
 
-}  // namespace
-
-std::string price_words(const Looks& looks, const std::vector<CostPoint>& points,
-                        const std::string& operation) {
-  std::vector<const CostPoint*> own;
-  for (const CostPoint& p : points)
-    if (p.operation == operation && p.latency > 0 && p.scalar == "double") own.push_back(&p);
-  std::ranges::stable_sort(own, {}, [](const CostPoint* p) { return p->latency; });
-  const CostPoint* best = nullptr;
-  for (const CostPoint* p : own)  // of two with digits that differ by less than half of one, the faster
-    if (!looks.wrong.contains({p->subject, operation}) &&
-        (!best || shown_digits(*p) > shown_digits(*best) + .5))
-      best = p;
-  Cells others;
-  for (const CostPoint* p : own)
-    if (p != best && others.size() < 3)
-      others.push_back(fmt::format("{} keeps {:.1f} {}in {}", p->subject, shown_digits(*p),
-                                   best || !others.empty() ? "" : "digits ", time_text(p->latency)));
-  const std::string rest = fmt::format("{}", fmt::join(others, ", "));
-  if (own.empty()) return "timed in other scalars than double.";
-  if (!best) return rest + ": over budget.";
-  if (own.size() == 1)
-    return fmt::format("{:.1f} digits in {}.", shown_digits(*best), time_text(best->latency));
-  return fmt::format("for {:.1f} digits take {} ({}); {}.", shown_digits(*best), best->subject,
-                     time_text(best->latency), rest);
-}
-
-namespace {
-
 std::string title_of(const std::vector<Verdict>& all, const std::string& word) {
   const auto count = [&](const char* kind) { return std::ranges::count(all, kind, &Verdict::kind); };
   const auto wrong = count("fail");
@@ -185,22 +157,27 @@ FirstScreen::Question near_question(const Looks& looks, const std::vector<const 
 
 /// Of the operation that the first question shows, if it was timed.
 FirstScreen::Question price_question(const Looks& looks, std::string operation) {
-  std::vector<CostPoint> points;
+  FirstScreen::Question all{"price",
+                            "cost",
+                            "What does a digit cost?",
+                            "These records hold no times; <code>liecheck cost</code> measures them.",
+                            {{"correct digits of the worst input", ""}}};
+  const Json* cost = nullptr;
   for (const Json& record : looks.merged.records)
-    if (record.contains("cost")) points = cost_points(record["cost"]);
+    if (record.contains("cost")) cost = &record["cost"];
+  if (!cost) return all;
+  const std::vector<CostPoint> points = cost_points(*cost);
   const auto timed = [&](const std::string& name) {
     return std::ranges::any_of(points,
                                [&](const CostPoint& p) { return p.operation == name && p.latency > 0; });
   };
   if (!timed(operation)) operation = timed("exp6") || points.empty() ? "exp6" : points.front().operation;
-  const std::string picture = cost_picture(looks, points, operation);
-  return {"price",
-          "cost",
-          "What does a digit cost?",
-          picture.empty() ? "These records hold no times; <code>liecheck cost</code> measures them."
-                          : fmt::format("<b>{}</b> in double: {}", escaped(operation),
-                                        escaped(price_words(looks, points, operation))),
-          {{"correct digits of the worst input", picture}}};
+  all.pictures.front().second = cost_picture(looks, points, operation);
+  if (!all.pictures.front().second.empty())
+    all.answer =
+        fmt::format("<b>{}</b>. {}", escaped(operation),
+                    cost_sentence(region_points(*cost, operation, every_angle(*cost)), libraries_in(*cost)));
+  return all;
 }
 
 }  // namespace

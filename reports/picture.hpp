@@ -25,11 +25,6 @@ struct Looks {
   explicit Looks(const Merged& all);
 };
 
-/// What a user of one operation in double can do, of the libraries that are right in it: "for 15.5 digits take liecheck (130 ns);
-/// textbook keeps 5.4 in 129 ns".
-std::string price_words(const Looks& looks, const std::vector<CostPoint>& points,
-                        const std::string& operation);
-
 /// What the first screen says: on each library, and on each question. All texts are HTML.
 struct FirstScreen {
   struct Line {
