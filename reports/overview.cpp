@@ -89,6 +89,7 @@ std::vector<const Json*> telling_rows(const Looks& looks, const std::string& sca
     double score = std::ranges::find(common, name[0]) != common.end() ? 20 : 0;
     if (std::ranges::any_of(rows, [](const Json* r) { return (*r)["status"] == "fail"; })) score += 40;
     if (std::ranges::any_of(rows, [](const Json* r) { return (*r)["rule"] == "excess"; })) score -= 10;
+    if (name[1].ends_with("defect")) score -= 5;
     for (const char* axis : {"theta", "pi_minus_theta"}) {
       std::map<std::string, double> tops;  // digits lost, by subject
       for (const Json* r : rows)
