@@ -103,12 +103,17 @@ std::string cost_section(const Looks& looks) {
     const std::string counter = cost["no_counter"];
     out += fronts(looks, cost) + cost_advice(cost);
     out += fmt::format(
-        "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar "
+        "<p class=\"note\">Every subject of liecheck is called through a function pointer. All subjects of a "
+        "scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "
         "these inputs; a maximum is a <b>lower bound</b>. A time is processor time, as a multiple of that "
-        "of a reference loop beside it: the median of {} processes. In each process all rows are repeated "
-        "in random order, and repetitions during which the machine was slower are left out. Brackets hold "
-        "the spread from run to run: twice as far from the median as any process, as a factor. A time in "
+        "of a reference loop beside it: the median of short repetitions in {} processes. In each process all "
+        "rows "
+        "are repeated in random order, and repetitions during which the machine was slower are left out. "
+        "Brackets "
+        "hold the spread from run to run: that of 99 of 100 other runs is in it. An adapter's time is that "
+        "of "
+        "loops that are compiled with it, or run in its process. A time in "
         "ns is the multiple of {:.4g} ns, the median of the reference loop, which depends on the speed of "
         "the machine during the run. Latency: each call waits for the result of the one before. "
         "Throughput: no call waits. The row <code>call</code> is the shortest operation of the same "

@@ -11,42 +11,76 @@
 namespace {
 
 template <class S>
-std::array<S, 4> w_first(const S* Q) {
-  return {Q[3], Q[0], Q[1], Q[2]};
+struct Quaternion {
+  S wxyz[4];
+};
+template <class S>
+struct Vector {
+  S x[3];
+};
+template <class S>
+Quaternion<S> quaternion(const S* Q) {
+  return {{Q[3], Q[0], Q[1], Q[2]}};
+}
+template <class S>
+Vector<S> vector(const S* x) {
+  return {{x[0], x[1], x[2]}};
 }
 
 struct Ceres {
   static constexpr const char *name = "ceres_adapter", *version = CERES_VERSION_STRING;
 
   template <class S>
-  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
-    S q[4];
-    ceres::AngleAxisToQuaternion(&phi[0], q);
-    Q[0] = q[1], Q[1] = q[2], Q[2] = q[3], Q[3] = q[0];
+  static auto exp3_quaternion(In<S, 3> x) {
+    return [phi = vector(&x[0])] {
+      Quaternion<S> q;
+      ceres::AngleAxisToQuaternion(phi.x, q.wxyz);
+      return q;
+    };
   }
   template <class S>
   static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
     ceres::AngleAxisToRotationMatrix(&phi[0], ceres::RowMajorAdapter3x3(&R[0]));
   }
   template <class S>
-  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
-    ceres::QuaternionToAngleAxis(w_first(&Q[0]).data(), &phi[0]);
+  static auto log3_quaternion(In<S, 4> Q) {
+    return [q = quaternion(&Q[0])] {
+      Vector<S> phi;
+      ceres::QuaternionToAngleAxis(q.wxyz, phi.x);
+      return phi;
+    };
   }
   template <class S>
   static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
     ceres::RotationMatrixToAngleAxis(ceres::RowMajorAdapter3x3(&R[0]), &phi[0]);
   }
   template <class S>
-  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
-    ceres::UnitQuaternionRotatePoint(w_first(&x[0]).data(), &x[4], &y[0]);
+  static auto rotate_point(In<S, 7> x) {
+    return [q = quaternion(&x[0]), p = vector(&x[4])] {
+      Vector<S> y;
+      ceres::UnitQuaternionRotatePoint(q.wxyz, p.x, y.x);
+      return y;
+    };
   }
   template <class S>
-  static void rotate_point_any_norm(In<S, 7> x, Out<S, 3> y) {
-    ceres::QuaternionRotatePoint(w_first(&x[0]).data(), &x[4], &y[0]);
+  static auto rotate_point_any_norm(In<S, 7> x) {
+    return [q = quaternion(&x[0]), p = vector(&x[4])] {
+      Vector<S> y;
+      ceres::QuaternionRotatePoint(q.wxyz, p.x, y.x);
+      return y;
+    };
   }
   template <class S>
   static void matrix_from_quaternion_any_norm(In<S, 4> Q, Out<S, 9> R) {
-    ceres::QuaternionToRotation(w_first(&Q[0]).data(), ceres::RowMajorAdapter3x3(&R[0]));
+    ceres::QuaternionToRotation(quaternion(&Q[0]).wxyz, ceres::RowMajorAdapter3x3(&R[0]));
+  }
+  template <class S>
+  static void write(const Quaternion<S>& q, Out<S, 4> Q) {
+    Q[0] = q.wxyz[1], Q[1] = q.wxyz[2], Q[2] = q.wxyz[3], Q[3] = q.wxyz[0];
+  }
+  template <class S>
+  static void write(const Vector<S>& v, Out<S, 3> y) {
+    std::copy_n(v.x, 3, &y[0]);
   }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {

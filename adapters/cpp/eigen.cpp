@@ -1,5 +1,5 @@
 // Eigen: Quaternion, AngleAxis and Isometry, in float and double. liecheck has a subject of the same
-// functions, "eigen"; this adapter is the example of a library with templates.
+// functions, "eigen"; this adapter is the example of a library with templates and types of its own.
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -22,7 +22,9 @@ namespace {
 template <class S>
 using Vector = Eigen::Matrix<S, 3, 1>;
 template <class S>
-using Matrix = Eigen::Matrix<S, 3, 3, Eigen::RowMajor>;
+using Matrix = Eigen::Matrix<S, 3, 3>;
+template <class S>
+using Rows = Eigen::Matrix<S, 3, 3, Eigen::RowMajor>;
 template <class S>
 using Quaternion = Eigen::Quaternion<S>;
 template <class S>
@@ -31,16 +33,16 @@ template <class S>
 using Isometry = Eigen::Transform<S, 3, Eigen::Isometry>;
 
 template <class S>
-Eigen::Map<const Vector<S>> vector(const S* x) {
-  return Eigen::Map<const Vector<S>>(x);
+Vector<S> vector(const S* x) {
+  return Vector<S>(x);
 }
 template <class S>
-Eigen::Map<const Matrix<S>> rotation(const S* R) {
-  return Eigen::Map<const Matrix<S>>(R);
+Matrix<S> rotation(const S* R) {
+  return Eigen::Map<const Rows<S>>(R);
 }
 template <class S>
-Eigen::Map<const Quaternion<S>> quaternion(const S* Q) {
-  return Eigen::Map<const Quaternion<S>>(Q);
+Quaternion<S> quaternion(const S* Q) {
+  return Quaternion<S>(Q);
 }
 template <class S>
 Isometry<S> pose(const S* X) {
@@ -53,112 +55,119 @@ AngleAxis<S> angle_axis(In<S, 3> phi) {
   return {angle_of<S>(phi), vector(axis_of<S>(phi).data())};
 }
 
-template <class S, int rows, int columns, int options>
-void put(const Eigen::Matrix<S, rows, columns, options>& x, S* to) {
-  Eigen::Map<Eigen::Matrix<S, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>> all(to);
-  all = x;
-}
-template <class S>
-void put(const Quaternion<S>& Q, S* to) {
-  put(Q.coeffs(), to);
-}
-template <class S>
-void put(const Isometry<S>& T, S* to) {
-  put(Matrix<S>(T.linear()), to), put(Vector<S>(T.translation()), to + 9);
-}
-template <class S>
-void put(const AngleAxis<S>& a, S* to) {
-  put(Vector<S>(a.angle() * a.axis()), to);
-}
-
 struct EigenGeometry {
   static constexpr const char *name = "eigen_adapter",
                               *version =
                                   VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 
   template <class S>
-  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
-    put(Quaternion<S>(angle_axis(phi)), &Q[0]);
+  static auto exp3_quaternion(In<S, 3> phi) {
+    return [a = angle_axis(phi)] { return Quaternion<S>(a); };
   }
   template <class S>
-  static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
-    put(angle_axis(phi).toRotationMatrix(), &R[0]);
+  static auto exp3_matrix(In<S, 3> phi) {
+    return [a = angle_axis(phi)] { return a.toRotationMatrix(); };
   }
   template <class S>
-  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
-    put(AngleAxis<S>(quaternion(&Q[0])), &phi[0]);
+  static auto log3_quaternion(In<S, 4> Q) {
+    return [q = quaternion(&Q[0])] { return AngleAxis<S>(q); };
   }
   template <class S>
-  static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
-    put(AngleAxis<S>(rotation(&R[0])), &phi[0]);
+  static auto log3_matrix(In<S, 9> R) {
+    return [m = rotation(&R[0])] { return AngleAxis<S>(m); };
   }
   template <class S>
-  static void compose(In<S, 24> x, Out<S, 12> y) {
-    put(pose(&x[0]) * pose(&x[12]), &y[0]);
+  static auto compose(In<S, 24> x) {
+    return [X = pose(&x[0]), Y = pose(&x[12])] { return X * Y; };
   }
   template <class S>
-  static void inverse(In<S, 12> x, Out<S, 12> y) {
-    put(pose(&x[0]).inverse(), &y[0]);
+  static auto inverse(In<S, 12> x) {
+    return [X = pose(&x[0])] { return X.inverse(); };
   }
   template <class S>
-  static void act_point(In<S, 15> x, Out<S, 3> y) {
-    put(Vector<S>(pose(&x[0]) * vector(&x[12])), &y[0]);
+  static auto act_point(In<S, 15> x) {
+    return [X = pose(&x[0]), p = vector(&x[12])] { return Vector<S>(X * p); };
   }
   template <class S>
-  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
-    put(Vector<S>(quaternion(&x[0]) * vector(&x[4])), &y[0]);
+  static auto rotate_point(In<S, 7> x) {
+    return [q = quaternion(&x[0]), p = vector(&x[4])] { return Vector<S>(q * p); };
   }
   template <class S>
-  static void normalize(In<S, 4> Q, Out<S, 4> y) {
-    put(quaternion(&Q[0]).normalized(), &y[0]);
+  static auto normalize(In<S, 4> Q) {
+    return [q = quaternion(&Q[0])] { return q.normalized(); };
   }
   template <class S>
-  static void relative_angle(In<S, 8> x, Out<S, 1> y) {
-    y[0] = quaternion(&x[0]).angularDistance(quaternion(&x[4]));
+  static auto relative_angle(In<S, 8> x) {
+    return [q0 = quaternion(&x[0]), q1 = quaternion(&x[4])] { return q0.angularDistance(q1); };
   }
   template <class S>
-  static void slerp(In<S, 9> x, Out<S, 4> y) {
-    put(Quaternion<S>(quaternion(&x[0]).slerp(x[8], quaternion(&x[4]))), &y[0]);
+  static auto slerp(In<S, 9> x) {
+    return [q0 = quaternion(&x[0]), q1 = quaternion(&x[4]), t = x[8]] { return q0.slerp(t, q1); };
   }
   template <class S>
-  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
-    put(Quaternion<S>::FromTwoVectors(vector(&x[0]), vector(&x[3])), &y[0]);
+  static auto rotation_between(In<S, 6> x) {
+    return [a = vector(&x[0]), b = vector(&x[3])] { return Quaternion<S>::FromTwoVectors(a, b); };
   }
   template <class S>
-  static void quaternion_from_matrix(In<S, 9> R, Out<S, 4> Q) {
-    put(Quaternion<S>(rotation(&R[0])), &Q[0]);
+  static auto quaternion_from_matrix(In<S, 9> R) {
+    return [m = rotation(&R[0])] { return Quaternion<S>(m); };
   }
   template <class S>
-  static void matrix_from_quaternion(In<S, 4> Q, Out<S, 9> R) {
-    put(Matrix<S>(quaternion(&Q[0]).toRotationMatrix()), &R[0]);
+  static auto matrix_from_quaternion(In<S, 4> Q) {
+    return [q = quaternion(&Q[0])] { return q.toRotationMatrix(); };
   }
   template <class S>
-  static void quaternion_product(In<S, 8> x, Out<S, 4> y) {
-    put(Quaternion<S>(quaternion(&x[0]) * quaternion(&x[4])), &y[0]);
+  static auto quaternion_product(In<S, 8> x) {
+    return [q0 = quaternion(&x[0]), q1 = quaternion(&x[4])] { return q0 * q1; };
   }
   template <class S>
-  static void quaternion_inverse(In<S, 4> Q, Out<S, 4> y) {
-    put(quaternion(&Q[0]).inverse(), &y[0]);
+  static auto quaternion_inverse(In<S, 4> Q) {
+    return [q = quaternion(&Q[0])] { return q.inverse(); };
   }
   template <class S>
-  static void axis_angle_from_quaternion(In<S, 4> Q, Out<S, 4> y) {
-    const Eigen::AngleAxis<S> a(quaternion(&Q[0]));
-    put(Vector<S>(a.axis()), &y[0]);
-    y[3] = a.angle();
+  static auto axis_angle_from_quaternion(In<S, 4> Q) {
+    return log3_quaternion<S>(Q);
   }
   template <class S>
-  static void axis_angle_from_matrix(In<S, 9> R, Out<S, 4> y) {
-    const Eigen::AngleAxis<S> a(rotation(&R[0]));
-    put(Vector<S>(a.axis()), &y[0]);
-    y[3] = a.angle();
+  static auto axis_angle_from_matrix(In<S, 9> R) {
+    return log3_matrix<S>(R);
   }
   template <class S>
-  static void quaternion_from_axis_angle(In<S, 4> x, Out<S, 4> y) {
-    put(Quaternion<S>(Eigen::AngleAxis<S>(x[3], vector(&x[0]))), &y[0]);
+  static auto quaternion_from_axis_angle(In<S, 4> x) {
+    return [a = AngleAxis<S>(x[3], vector(&x[0]))] { return Quaternion<S>(a); };
   }
   template <class S>
-  static void matrix_from_axis_angle(In<S, 4> x, Out<S, 9> R) {
-    put(Matrix<S>(Eigen::AngleAxis<S>(x[3], vector(&x[0])).toRotationMatrix()), &R[0]);
+  static auto matrix_from_axis_angle(In<S, 4> x) {
+    return [a = AngleAxis<S>(x[3], vector(&x[0]))] { return a.toRotationMatrix(); };
+  }
+
+  template <class S>
+  static void write(const Vector<S>& x, Out<S, 3> to) {
+    Vector<S>::Map(&to[0]) = x;
+  }
+  template <class S>
+  static void write(const Matrix<S>& R, Out<S, 9> to) {
+    Rows<S>::Map(&to[0]) = R;
+  }
+  template <class S>
+  static void write(const Quaternion<S>& Q, Out<S, 4> to) {
+    Eigen::Matrix<S, 4, 1>::Map(&to[0]) = Q.coeffs();
+  }
+  template <class S>
+  static void write(const Isometry<S>& T, Out<S, 12> to) {
+    Rows<S>::Map(&to[0]) = T.linear(), Vector<S>::Map(&to[9]) = T.translation();
+  }
+  template <class S>
+  static void write(const AngleAxis<S>& a, Out<S, 3> to) {
+    Vector<S>::Map(&to[0]) = a.angle() * a.axis();
+  }
+  template <class S>
+  static void write(const AngleAxis<S>& a, Out<S, 4> to) {
+    Vector<S>::Map(&to[0]) = a.axis(), to[3] = a.angle();
+  }
+  template <class S>
+  static void write(S x, Out<S, 1> to) {
+    to[0] = x;
   }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {

@@ -73,5 +73,17 @@ const e = new Euler().setFromQuaternion(new Quaternion({Q}), order);\nconsole.lo
     euler_from_matrix: [x => inOrder(new Euler().setFromRotationMatrix(matrix(x.subarray(1)), orderOf(x[0]))), 10, 3,
       program("Euler, Matrix3, Matrix4", `const order = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][({order} - 1) / 2];
 const e = new Euler().setFromRotationMatrix(new Matrix4().setFromMatrix3(new Matrix3().set({R})), order);\nconsole.log(...[...order].map(axis => e[axis.toLowerCase()]));`)],
+  }, {
+    compose: x => ((X, Y, out) => () => out.multiplyMatrices(X, Y))(pose(x), pose(x.subarray(12)), new Matrix4()),
+    inverse: x => ((X, out) => () => out.copy(X).invert())(pose(x), new Matrix4()),
+    act_point: x => ((X, p, out) => () => out.copy(p).applyMatrix4(X))(pose(x), vector(x, 12), new Vector3()),
+    rotate_point: x => ((q, p, out) => () => out.copy(p).applyQuaternion(q))(quaternion(x), vector(x, 4), new Vector3()),
+    normalize: Q => ((q, out) => () => out.copy(q).normalize())(quaternion(Q), new Quaternion()),
+    slerp: x => ((a, b, out) => () => out.slerpQuaternions(a, b, x[8]))(quaternion(x), quaternion(x.subarray(4)), new Quaternion()),
+    quaternion_product: x => ((a, b, out) => () => out.multiplyQuaternions(a, b))(quaternion(x), quaternion(x.subarray(4)), new Quaternion()),
+    quaternion_from_matrix: R => ((M, out) => () => out.setFromRotationMatrix(M))(matrix(R), new Quaternion()),
+    matrix_from_quaternion: Q => ((q, out) => () => out.makeRotationFromQuaternion(q))(quaternion(Q), new Matrix4()),
+    log3_quaternion: Q => ((q, out) => () => out.setAxisAngleFromQuaternion(q))(quaternion(Q), new Vector4()),
+    exp3_quaternion: phi => ((a, out) => () => out.setFromAxisAngle(...a))(axisAngle(phi), new Quaternion()),
   });
 });

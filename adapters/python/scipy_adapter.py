@@ -1,4 +1,6 @@
 """scipy.spatial.transform.Rotation. Its quaternions are x, y, z, w and may have any norm but 0."""
+import operator
+
 import scipy
 from liecheck_protocol import serve
 from scipy.spatial.transform import Rotation, Slerp
@@ -9,7 +11,7 @@ def quaternion(Q):
 
 
 def matrix(R):
-    return Rotation.from_matrix(R.reshape(3, 3))
+    return Rotation.from_matrix(R.reshape(R.shape[:-1] + (3, 3)))
 
 
 def log3_quaternion(Q):
@@ -17,11 +19,11 @@ def log3_quaternion(Q):
 
 
 def rotate_point(x):
-    return quaternion(x[:4]).apply(x[4:])
+    return quaternion(x[..., :4]).apply(x[..., 4:])
 
 
 def relative_angle(x):
-    return (quaternion(x[:4]).inv() * quaternion(x[4:])).magnitude()
+    return (quaternion(x[..., :4]).inv() * quaternion(x[..., 4:])).magnitude()
 
 
 def slerp(x):
@@ -67,7 +69,7 @@ serve("scipy", scipy.__version__, {
         "import numpy as np\n" + program("Rotation.from_matrix(np.reshape([{R}], (3, 3))).as_quat()")),
     "matrix_from_quaternion": (lambda Q: quaternion(Q).as_matrix(), 4, 9,
         program("Rotation.from_quat([{Q}]).as_matrix()")),
-    "quaternion_product": (lambda x: (quaternion(x[:4]) * quaternion(x[4:])).as_quat(), 8, 4,
+    "quaternion_product": (lambda x: (quaternion(x[..., :4]) * quaternion(x[..., 4:])).as_quat(), 8, 4,
         program("(Rotation.from_quat([{Q0}]) * Rotation.from_quat([{Q1}])).as_quat()")),
     "quaternion_inverse": (lambda Q: quaternion(Q).inv().as_quat(), 4, 4,
         program("Rotation.from_quat([{Q}]).inv().as_quat()")),
@@ -84,4 +86,15 @@ serve("scipy", scipy.__version__, {
     "euler_from_matrix": (lambda x: matrix(x[1:]).as_euler(order(x[0])), 10, 3,
         f"import numpy as np; o = {ORDERS}[int({{order}}) // 2]; o = o.upper() if {{order}} % 2 else o\n" +
         program("Rotation.from_matrix(np.reshape([{R}], (3, 3))).as_euler(o)")),
+}, many="""exp3_quaternion exp3_matrix log3_quaternion log3_matrix rotate_point normalize matrix_from_quaternion_any_norm
+    rotate_point_any_norm log3_any_norm relative_angle quaternion_from_matrix matrix_from_quaternion quaternion_product
+    quaternion_inverse mrp_from_quaternion quaternion_from_mrp""".split(), own={
+    "rotate_point": lambda x: (quaternion(x[..., :4]).apply, (x[..., 4:],)),
+    "quaternion_product": lambda x: (operator.mul, (quaternion(x[..., :4]), quaternion(x[..., 4:]))),
+    "quaternion_inverse": lambda Q: (quaternion(Q).inv, ()),
+    "matrix_from_quaternion": lambda Q: (quaternion(Q).as_matrix, ()),
+    "log3_quaternion": lambda Q: (quaternion(Q).as_rotvec, ()),
+    "mrp_from_quaternion": lambda Q: (quaternion(Q).as_mrp, ()),
+    "exp3_quaternion": lambda phi: (Rotation.from_rotvec, (phi,)),
+    "quaternion_from_matrix": lambda R: (Rotation.from_matrix, (R.reshape(R.shape[:-1] + (3, 3)),)),
 })

@@ -16,6 +16,7 @@
 #include <utility>
 
 struct liecheck_adapter;  // liecheck_adapter.h
+struct liecheck_loops;
 
 namespace liecheck::properties::adapters {
 
@@ -36,6 +37,9 @@ struct Description {
   std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames
   Taken taken = {};  ///< what its arguments may be, found by asking; its joints are above
   std::set<std::string> refused_references = {};  ///< found by asking; they are not among its references
+  /// How its calls of an operation are timed by loops of its own: "own types" or "numbers" (liecheck_loops) of a library;
+  /// "one" or "one, many" at once, of a program.
+  std::map<std::string, std::string> timed = {};
 };
 
 /// How an adapter that was started again describes itself otherwise, in a sentence; or "". Operations may have been withheld from
@@ -85,6 +89,9 @@ class Adapter {
   /// Repeats some earlier calls like `batch`, in another order and from two threads. Returns in words which result
   /// was another one, or "". call() does this where it can.
   virtual std::string repeated(const Batch&) { return ""; }
+  /// The processor time [ns] of so many passes over the calls of `batch`, measured where the adapter runs. `how` is "one" or
+  /// "many", as it states, or "nothing" in place of its function. 0 if it states neither. Throws AdapterFailed.
+  virtual double timed(std::string_view, const Batch&, std::size_t) { return 0; }
 };
 
 /// Starts the command by /bin/sh. Throws AdapterFailed if its description is not as docs/adapters.md says.
@@ -110,6 +117,9 @@ struct CFunction {
 /// offered. Throws AdapterFailed.
 CFunction function_of_library(const std::string& file, const std::string& operation,
                               const std::string& scalar);
+/// Its loops over calls of the operation; null if it has none.
+const liecheck_loops* loops_of_library(const std::string& file, const std::string& operation,
+                                       const std::string& scalar);
 
 /// An adapter that is linked into this program. Throws AdapterFailed.
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter);

@@ -12,6 +12,9 @@ class Chosen final : public Adapter {
   const Description& description() const override { return own_->description(); }
   std::string call(const Batch& batch) override;
   std::string repeated(const Batch& batch) override { return own_->repeated(batch); }
+  double timed(std::string_view how, const Batch& batch, std::size_t passes) override {
+    return own_->timed(how, batch, passes);
+  }
 
  private:
   std::unique_ptr<Adapter> own_;

@@ -12,6 +12,10 @@ class Converted final : public Adapter {
   Converted(std::shared_ptr<Adapter> own, const conventions::Statements& stated);
   const Description& description() const override { return own_->description(); }
   std::string call(const Batch& batch) override;
+  /// The numbers of `batch` are in the conventions that the adapter states.
+  double timed(std::string_view how, const Batch& batch, std::size_t passes) override {
+    return own_->timed(how, batch, passes);
+  }
   /// The same adapter as if it stated something else.
   Converted with(const conventions::Statements& stated) const { return {own_, stated}; }
 

@@ -8,21 +8,18 @@
 #include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
 #include <adapters/flat_model.hpp>
+#include <adapters/inside.hpp>
 #include <adapters/repeats.hpp>
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <deque>
-#include <initializer_list>
 #include <map>
 #include <mutex>
 #include <support/float_environment.hpp>
@@ -91,72 +88,11 @@ std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) 
   return {module, entry};
 }
 
-/// The function that runs.
-struct Where {
-  const char* library = nullptr;
-  std::string_view operation;
-};
-
-/// While one exists, foreign code runs. If it ends this process by exit() or by a crash, the program says so and is
-/// incomplete, instead of ending with the code of a pass or without a word.
-class Inside {
- public:
-  /// The name of the operation is a literal.
-  Inside(const char* library, std::string_view operation) : before_(now) {
-    now = {library, operation};
-    last_library = library, last_operation = operation.data(), ++inside;
-  }
-  Inside(const Inside&) = delete;
-  Inside& operator=(const Inside&) = delete;
-  ~Inside() { now = before_, --inside; }
-  static void watch() {
-    static const int registered = std::atexit([] {
-      if (now.library) end("exit()");
-    });
-    (void)registered;
-    for (const int crash : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
-      if (const auto earlier = std::signal(crash, on_crash); earlier != SIG_DFL) std::signal(crash, earlier);
-    std::signal(SIGALRM, [](int) {
-      if (inside == 0) return;
-      static std::atomic<bool> said = false;
-      if (said.exchange(true)) {
-        say({last_library.load(), ": ", last_operation.load(), " did not return: its results are lost\n"});
-        ::_exit(3);
-      }
-      say({last_library.load(), ": ", last_operation.load(),
-           " runs in this process and has not returned since the signal: a second signal ends the "
-           "program, and so do ten seconds\n"});
-      ::alarm(9);
-    });
-    tells_what_it_waits_for = true;
-  }
-
- private:
-  /// A thread that is in no Inside, while others are, has been started to call a library twice at a time.
-  static void on_crash(int number) {
-    if (!now.library && inside > 0) now = {last_library, last_operation.load()};
-    if (now.library) end("the signal SIG", ::sigabbrev_np(number));
-    std::signal(number, SIG_DFL), std::raise(number);
-  }
-  /// Only functions that are safe in the handler of a signal.
-  [[noreturn]] static void end(std::string_view how, std::string_view signal = "") {
-    while (ending.exchange(true)) ::pause();  // another thread writes, and then ends the program
-    say({now.library, ": ", now.operation, " ended the program, in whose process it runs, by ", how, signal,
-         "\n"});
-    ::_exit(3);
-  }
-  static void say(std::initializer_list<std::string_view> parts) {
-    constexpr std::string_view program = "liecheck: ";
-    if (::write(2, program.data(), program.size()) < 0) return;
-    for (const std::string_view part : parts)
-      if (::write(2, part.data(), part.size()) < 0) break;
-  }
-  static inline thread_local Where now;
-  static inline std::atomic<const char*> last_library = nullptr, last_operation = nullptr;
-  static inline std::atomic<int> inside = 0;
-  static inline std::atomic<bool> ending = false;
-  Where before_;
-};
+/// A function of the library, or null.
+template <class F>
+F exported(void* module, const char* name) {
+  return module ? reinterpret_cast<F>(dlsym(module, name)) : nullptr;
+}
 
 /// An adapter of version 1 or 2, with NULL for what version 1 does not have.
 liecheck_adapter copied(const liecheck_adapter& its) {
@@ -167,11 +103,8 @@ liecheck_adapter copied(const liecheck_adapter& its) {
 
 class Library final : public Adapter {
  public:
-  using Source = const char* (*)(const char*);
-  using References = const char* (*)();
-  /// `source` and `references` are its liecheck_get_source and liecheck_get_references, or null.
-  Library(const liecheck_adapter* its, Source source, References references, const std::string& file,
-          bool repeats)
+  /// Of a shared library, or of an adapter that is linked and has no `module`.
+  Library(const liecheck_adapter* its, void* module, const std::string& file, bool repeats)
       : repeats_here_(repeats) {
     if (repeats) Inside::watch();
     if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
@@ -179,16 +112,21 @@ class Library final : public Adapter {
       throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}",
                                       file, its->interface_version, LIECHECK_ADAPTER_VERSION));
     adapter_ = copied(*its);
+    const auto source = exported<decltype(&liecheck_get_source)>(module, "liecheck_get_source");
+    const auto references = exported<decltype(&liecheck_get_references)>(module, "liecheck_get_references");
+    const auto loops = exported<decltype(&liecheck_get_loops)>(module, "liecheck_get_loops");
     if (!adapter_.name || !adapter_.version ||
         !(adapter_.find || adapter_.find_call || adapter_.find_model_call))
-      throw AdapterFailed(
-          fmt::format("liecheck_get_adapter() of {} has no name, version or function that finds functions: "
-                      "find, find_call or find_model_call",
-                      file));
+      throw AdapterFailed("liecheck_get_adapter() of " + file +
+                          " has no name, version or function that finds "
+                          "functions: find, find_call or find_model_call");
     description_.name = adapter_.name, description_.version = adapter_.version;
     if (adapter_.conventions) description_.conventions = stated(adapter_.conventions);
     const auto offer = [&](std::string_view operation, bool is_double, const CFunction& f) {
-      if (f) description_.offered.emplace(operation, is_double ? "double" : "float");
+      const char* const scalar = is_double ? "double" : "float";
+      if (f) description_.offered.emplace(operation, scalar);
+      if (const auto* l = f && loops ? loops(std::string(operation).c_str(), scalar) : nullptr)
+        description_.timed[std::string(operation)] = l->own_types ? "own types" : "numbers";
       return f;
     };
     for (const OperationSizes& o : all_sizes()) {
@@ -228,10 +166,8 @@ class Library final : public Adapter {
   static std::unique_ptr<Library> loaded(const std::string& file, bool repeats) {
     const FloatEnvironment environment;
     const auto [module, entry] = opened(file);
-    const auto source = reinterpret_cast<Source>(dlsym(module, "liecheck_get_source"));
-    const auto references = reinterpret_cast<References>(dlsym(module, "liecheck_get_references"));
     try {
-      return std::make_unique<Library>(entry(), source, references, file, repeats);
+      return std::make_unique<Library>(entry(), module, file, repeats);
     } catch (const AdapterFailed&) {
       throw;
     } catch (const std::exception& e) {
@@ -386,8 +322,13 @@ CFunction function_of_library(const std::string& file, const std::string& operat
                               const std::string& scalar) {
   return Library::found(copied(*opened(file).second()), operation, scalar == "double");
 }
+const liecheck_loops* loops_of_library(const std::string& file, const std::string& operation,
+                                       const std::string& scalar) {
+  const auto get = exported<decltype(&liecheck_get_loops)>(opened(file).first, "liecheck_get_loops");
+  return get ? get(operation.c_str(), scalar.c_str()) : nullptr;
+}
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
-  return std::make_unique<Library>(&adapter, nullptr, nullptr, "the linked adapter", true);
+  return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);
 }
 
 }  // namespace liecheck::properties::adapters

@@ -103,6 +103,22 @@ const char* liecheck_get_source(const char* operation);
 /* And this one: the references in which it sees frames, "world, local, aligned" or fewer. NULL for all. */
 const char* liecheck_get_references(void);
 
+/* Loops over calls of one operation, which `liecheck cost` times. */
+struct liecheck_loops {
+  int own_types; /* 1 if the loops call with arguments and results in the library's own types, 0 if with numbers */
+  /* Makes the arguments of n calls, whose numbers `inputs` holds; NULL if it cannot. `context` is the adapter's. */
+  void* (*prepare)(void* context, size_t n, const void* inputs);
+  void (*release)(void* calls);
+  /* Makes the calls from `first` to `first` + n - 1, which do not wait for one another. */
+  void (*throughput)(const void* calls, size_t first, size_t n);
+  /* The same; each waits for the result of the one before. */
+  void (*latency)(const void* calls, size_t first, size_t n);
+};
+
+/* And this one: the loops of an operation in a scalar, or NULL. The header for C++ defines it. Without it, the functions
+ * of the adapter are timed. */
+const struct liecheck_loops* liecheck_get_loops(const char* operation, const char* scalar);
+
 #ifdef __cplusplus
 }
 #endif

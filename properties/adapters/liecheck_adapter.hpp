@@ -26,6 +26,13 @@
 //     static constexpr const char *models = "joints, urdf", *joints = "revolute, prismatic";   // by default joints, of all kinds
 //     static constexpr const char* references = "local";                              // of frames; by default world, local, aligned
 //
+// An operation may also be a function of one argument. It returns a call, with the arguments converted to the library's own
+// types, and `write` puts the result of the call into numbers. `liecheck cost` then times the call without conversions:
+//     static auto rotate_point(std::span<const double, 7> x) {
+//       return [q = mylib::Quaternion(x[3], x[0], x[1], x[2]), p = mylib::Vector(x[4], x[5], x[6])] { return q.rotate(p); };
+//     }
+//     static void write(const mylib::Vector& p, std::span<double, 3> out);
+//
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
 
@@ -35,6 +42,7 @@
 #endif
 
 #include <liecheck_adapter.h>
+#include <liecheck_loops.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,14 +52,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-
-// Of functions that keep objects: they are hidden, since two libraries in one process whose structs have the same name would
-// share the objects.
-#ifdef __GNUC__
-#define LIECHECK_HIDDEN [[gnu::visibility("hidden")]]
-#else
-#define LIECHECK_HIDDEN
-#endif
 
 namespace liecheck::adapter {
 
@@ -101,12 +101,6 @@ constexpr Sizes sizes_of(std::string_view name, bool in_quaternions = false) {
   return sizes;
 }
 
-/// f(object, in, out) compiles for I numbers of S and R numbers of S.
-template <class F, class Object, class S, std::size_t I, std::size_t R>
-concept Computes = requires(const F& f, Object& object, std::span<const S, I> in, std::span<S, R> out) {
-  f(object, in, out);
-};
-
 LIECHECK_HIDDEN inline std::string& last_reason() {
   thread_local std::string text;
   return text;
@@ -126,21 +120,27 @@ void for_each_input(std::size_t n, unsigned char* status, const F& f) {
     }
 }
 
-/// The C function for F, or null if F does not take numbers of S.
-template <class F, class Object, class S, std::size_t I, std::size_t R>
-liecheck_call function_in() {
-  if constexpr (Computes<F, Object, S, I, R>)
-    return [](void* object, std::size_t n, const void* inputs, void* results, unsigned char* status) {
-      for_each_input(n, status, [&](std::size_t i) {
-        F()
-        (*static_cast<Object*>(object), std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
-         std::span<S, R>(static_cast<S*>(results) + R * i, R));
-      });
-    };
-  else
-    return nullptr;
-}
-
+/// The C function for F, or null if it does not take numbers of S. F makes the call, or P prepares it.
+struct Functions {
+  using type = liecheck_call;
+  template <class F, class P, class Object, class S, std::size_t I, std::size_t R>
+  static liecheck_call in() {
+    if constexpr (Computes<F, Object, S, I, R> || Prepares<P, Object, S, I>)
+      return [](void* object, std::size_t n, const void* inputs, void* results, unsigned char* status) {
+        for_each_input(n, status, [&](std::size_t i) {
+          Object& o = *static_cast<Object*>(object);
+          const std::span<const S, I> in(static_cast<const S*>(inputs) + I * i, I);
+          const std::span<S, R> out(static_cast<S*>(results) + R * i, R);
+          if constexpr (Computes<F, Object, S, I, R>)
+            F()(o, in, out);
+          else
+            o.write(P()(o, in)(), out);
+        });
+      };
+    else
+      return nullptr;
+  }
+};
 /// The C function of one of the library's own checks, or null if it has none in S.
 template <class Subject, class S>
 liecheck_call check_in(std::string_view name) {
@@ -152,8 +152,8 @@ liecheck_call check_in(std::string_view name) {
     subject.check_rotation(R);
   }
   { subject.check_rotation(R); };
-  if (name == "check_quaternion") return function_in<decltype(quaternion), Subject, S, 4, 0>();
-  if (name == "check_rotation") return function_in<decltype(rotation), Subject, S, 9, 0>();
+  if (name == "check_quaternion") return Functions::in<decltype(quaternion), void, Subject, S, 4, 0>();
+  if (name == "check_rotation") return Functions::in<decltype(rotation), void, Subject, S, 9, 0>();
   return nullptr;
 }
 
@@ -280,9 +280,10 @@ const char* references_of() {
     return nullptr;
 }
 
-/// Whether F takes I numbers and writes R, of float or double: checked when the adapter is compiled.
-template <class F, class Subject, std::size_t I, std::size_t R>
-inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F, Subject, double, I, R>;
+/// Whether F takes I numbers and writes R, of float or double, or P takes I: checked when the adapter is compiled.
+template <class F, class P, class Subject, std::size_t I, std::size_t R>
+inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F, Subject, double, I, R> ||
+                                Prepares<P, Subject, float, I> || Prepares<P, Subject, double, I>;
 
 }  // namespace liecheck::adapter
 
@@ -309,18 +310,29 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
       subject.name(in, out);                                                                               \
     }                                                                                                      \
     { subject.name(in, out); };                                                                            \
+    constexpr auto prepare = [](auto& subject, auto in) requires requires {                                \
+      subject.name(in)();                                                                                  \
+    }                                                                                                      \
+    { return subject.name(in); };                                                                          \
     using F = decltype(call);                                                                              \
-    static_assert(liecheck::adapter::offered<F, Subject, sizes.inputs, sizes.results>, #name               \
+    using P = decltype(prepare);                                                                           \
+    static_assert(liecheck::adapter::offered<F, P, Subject, sizes.inputs, sizes.results>, #name            \
                   " must be void " #name                                                                   \
                   "(std::span<const S, I> arguments, std::span<S, R> result), "                            \
                   "S float or double, all arguments in one span; I and R are in liecheck_operations.inc"); \
-    return is_float ? liecheck::adapter::function_in<F, Subject, float, sizes.inputs, sizes.results>()     \
-                    : liecheck::adapter::function_in<F, Subject, double, sizes.inputs, sizes.results>();   \
+    return is_float ? As::template in<F, P, Subject, float, sizes.inputs, sizes.results>()                 \
+                    : As::template in<F, P, Subject, double, sizes.inputs, sizes.results>();               \
   }
 
 /// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
 /// liecheck_described(object) describes an object that has a state. It is used as long as the library is.
 #define LIECHECK_SUBJECT(Subject, ...)                                                           \
+  template <class As>                                                                            \
+  LIECHECK_HIDDEN typename As::type liecheck_found(const Subject*, std::string_view operation,   \
+                                                   bool is_float) {                              \
+    LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                           \
+    return nullptr;                                                                              \
+  }                                                                                              \
   LIECHECK_HIDDEN inline liecheck_adapter liecheck_described(Subject& object) {                  \
     liecheck_adapter all{};                                                                      \
     all.interface_version = LIECHECK_ADAPTER_VERSION;                                            \
@@ -332,7 +344,9 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
     all.find_call = [](void*, const char* operation_name, const char* scalar) -> liecheck_call { \
       const std::string_view operation = operation_name;                                         \
       const bool is_float = std::string_view(scalar) == "float";                                 \
-      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                         \
+      if (const liecheck_call call = liecheck_found<liecheck::adapter::Functions>(               \
+              static_cast<const Subject*>(nullptr), operation, is_float))                        \
+        return call;                                                                             \
       return is_float ? liecheck::adapter::check_in<Subject, float>(operation)                   \
                       : liecheck::adapter::check_in<Subject, double>(operation);                 \
     };                                                                                           \
@@ -346,14 +360,18 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
   }
 
 /// The same, and exports it, once in a shared library.
-#define LIECHECK_ADAPTER(Subject, ...)                                \
-  LIECHECK_SUBJECT(Subject __VA_OPT__(, ) __VA_ARGS__)                \
-  extern "C" const liecheck_adapter* liecheck_get_adapter() {         \
-    return &liecheck_subject(static_cast<const Subject*>(nullptr));   \
-  }                                                                   \
-  extern "C" const char* liecheck_get_source(const char* operation) { \
-    return liecheck::adapter::source_of<Subject>(operation);          \
-  }                                                                   \
-  extern "C" const char* liecheck_get_references() {                  \
-    return liecheck::adapter::references_of<Subject>();               \
+#define LIECHECK_ADAPTER(Subject, ...)                                                                  \
+  LIECHECK_SUBJECT(Subject __VA_OPT__(, ) __VA_ARGS__)                                                  \
+  extern "C" const liecheck_adapter* liecheck_get_adapter() {                                           \
+    return &liecheck_subject(static_cast<const Subject*>(nullptr));                                     \
+  }                                                                                                     \
+  extern "C" const char* liecheck_get_source(const char* operation) {                                   \
+    return liecheck::adapter::source_of<Subject>(operation);                                            \
+  }                                                                                                     \
+  extern "C" const char* liecheck_get_references() {                                                    \
+    return liecheck::adapter::references_of<Subject>();                                                 \
+  }                                                                                                     \
+  extern "C" const liecheck_loops* liecheck_get_loops(const char* operation, const char* scalar) {      \
+    return liecheck_found<liecheck::adapter::AllLoops>(static_cast<const Subject*>(nullptr), operation, \
+                                                       std::string_view(scalar) == "float");            \
   }

@@ -9,6 +9,8 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -87,11 +89,13 @@ Description described(const std::string& line) {
     if (!value.is_string()) throw wrong(fmt::format("has no text for the convention '{}'", name));
     d.conventions[name] = value;
   }
-  const nlohmann::json source = j.value("source", nlohmann::json::object());
-  if (!source.is_object()) throw wrong("has no object 'source'");
-  for (const auto& [operation, text] : source.items()) {
-    if (!text.is_string()) throw wrong(fmt::format("has no text as source of {}", operation));
-    d.source[operation] = text;
+  for (const auto& [member, to] : {std::pair{"source", &d.source}, {"timed", &d.timed}}) {
+    const nlohmann::json texts = j.value(member, nlohmann::json::object());
+    if (!texts.is_object()) throw wrong(fmt::format("has no object '{}'", member));
+    for (const auto& [operation, text] : texts.items()) {
+      if (!text.is_string()) throw wrong(fmt::format("has no text as {} of {}", member, operation));
+      (*to)[operation] = text;
+    }
   }
   const nlohmann::json trees = j.value("trees", nlohmann::json::object());
   if (!trees.is_object()) throw wrong("has no object 'trees'");
@@ -126,6 +130,13 @@ class Process : public Adapter {
 
  protected:
   explicit Process(double timeout_s) : timeout_s_(timeout_s) {}
+  /// The process, which is started if there is none. The next exchange may take so long.
+  Child& ready(double timeout_s) {
+    if (!child_) start();
+    child_->set_timeout(timeout_s);
+    child_->begin();
+    return *child_;
+  }
   void start() {
     child_ = child(timeout_s_ + start_s);
     child_->begin();
@@ -164,6 +175,20 @@ class ProtocolProcess final : public Process {
 
  private:
   std::unique_ptr<Child> child(double timeout_s) override { return opener_(timeout_s); }
+  double timed(std::string_view how, const Batch& b, std::size_t passes) override {
+    if (!description().timed.contains(std::string(b.operation.operation))) return 0;
+    Child& child = ready(60);
+    const std::string head =
+        fmt::format("time {} {} {} {} {}\n", how, b.operation.operation, b.scalar(), b.n, passes);
+    child.write(head.data(), head.size());
+    child.write(b.inputs.data(), b.inputs.size());
+    const std::string answer = child.line("the line 'timed NANOSECONDS'");
+    double ns = 0;
+    if (answer.starts_with("timed ")) std::from_chars(answer.data() + 6, answer.data() + answer.size(), ns);
+    if (!(ns > 0) || !std::isfinite(ns))
+      Child::fail(fmt::format("wrote {} where the line 'timed NANOSECONDS' is due", quoted(answer)));
+    return ns;
+  }
   std::string exchange(Child& child, const Batch& b) override {
     child.begin();
     if (const std::string refusal = told(child, b.model); !refusal.empty()) {

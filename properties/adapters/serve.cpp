@@ -67,6 +67,7 @@ std::string text_of(const Description& d) {
                  {"operations", operations},
                  {"conventions", d.conventions},
                  {"source", d.source},
+                 {"timed", d.timed},
                  {"trees", d.joints.empty() ? nlohmann::json{{"models", d.models}}
                                             : nlohmann::json{{"models", d.models}, {"joints", d.joints}}}}) +
          "\n";

@@ -171,6 +171,9 @@ class Printable final : public Adapter {
     throw AdapterFailed(printable(e.what()));
   }
   std::string repeated(const Batch& batch) override { return printable(own_->repeated(batch)); }
+  double timed(std::string_view how, const Batch& batch, std::size_t passes) override {
+    return own_->timed(how, batch, passes);
+  }
 
  private:
   std::unique_ptr<Adapter> own_;
@@ -324,6 +327,15 @@ void withhold(const std::string& text, const std::vector<std::string>& operation
   forget_subject(d.name);
   for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
     register_one((*source)->number, text, d, *scalar);
+}
+
+bool can_be_timed(const std::string& text) {
+  const Description* const d = description_of(text);
+  return !library_in(text).empty() || (d && !d->timed.empty());
+}
+double timed_outside(const std::string& text, std::string_view how, const Batch& batch, std::size_t passes) {
+  const auto source = std::ranges::find_if(sources, [&](const auto& s) { return s && s->text == text; });
+  return adapter((*source)->number).timed(how, batch, passes);
 }
 
 const Description* description_of(const std::string& text) {

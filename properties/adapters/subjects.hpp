@@ -34,6 +34,11 @@ inline constexpr int most_adapters = 16;
 /// The subject of this adapter has these operations no more. No series of it may have begun.
 void withhold(const std::string& text, const std::vector<std::string>& operations);
 
+/// Whether it is a shared library, or a program that times itself: the time of another one would be that of its pipe.
+bool can_be_timed(const std::string& text);
+/// Adapter::timed() of the adapter that was registered with this text.
+double timed_outside(const std::string& text, std::string_view how, const Batch& batch, std::size_t passes);
+
 /// What the adapter that was registered with this text says of itself; null if there is none.
 const Description* description_of(const std::string& text);
 

@@ -35,11 +35,29 @@ std::string ratio_text(const Ratio& r) {
   return fmt::format("{} [{}, {}]", number_text(r.median), number_text(r.low), number_text(r.high));
 }
 
+/// How an adapter was timed, and what its interface costs; "" of a subject of the program.
+std::string way_of(const CostRow& row, double reference_ns) {
+  const CostSet& all = row.sets.back();
+  const std::string interface = number_text(all.interface.median * reference_ns);
+  const auto says = [&](const char* word) { return row.timed.find(word) != std::string::npos; };
+  const char* const types = says("own types") ? "the library's own types" : "numbers";
+  if (row.timed.empty()) return "";
+  if (row.timed == "calls")
+    return "timed by calls through the interface: it is in C, or built with an older header";
+  if (!row.timed.starts_with("one"))
+    return fmt::format("timed by its own loops on {}; through the interface, a call takes {} ns", types,
+                       interface);
+  return fmt::format("timed in its own process on {}, one at a time{}; its loop alone takes {} ns", types,
+                     says("many") ? fmt::format(", and as throughput {} at once", all.inputs) : "",
+                     interface);
+}
+
 void print_row(const CostRow& row, double reference_ns, const std::string& dominator) {
   const CostSet& all = row.sets.back();
-  say("{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}", row.subject, row.scalar, ratio_text(all.latency),
+  say("{:<24}{:<11}{:<22}{:>9}  {:<22}{:>10}", row.subject, row.scalar, ratio_text(all.latency),
       all.latency.processes ? number_text(all.latency.median * reference_ns) : "-",
-      ratio_text(all.throughput), all.instructions > 0 ? fmt::format("{:.0f}", all.instructions) : "-");
+      ratio_text(all.throughput),
+      all.instructions > 0 ? fmt::format("{:.0f}/{:.0f}", all.instructions, all.cycles) : "-");
   const std::string worst = worst_block(row);
   for (const BlockErrors& b : all.blocks)
     if (b.block == worst)
@@ -47,6 +65,7 @@ void print_row(const CostRow& row, double reference_ns, const std::string& domin
           std::isinf(error_of(row)) ? "no result" : fmt::format("{:.3g}", b.largest()), b.quantile(0.99),
           b.quantile(0.5), worst, dominator);
   say("\n");
+  if (const std::string how = way_of(row, reference_ns); !how.empty()) say("  {}\n", how);
 }
 
 void print_rows(const CostResult& r) {
@@ -55,8 +74,8 @@ void print_rows(const CostResult& r) {
   for (std::size_t i = 0; i < r.rows.size(); ++i) {
     if (r.rows[i].operation != operation) {
       operation = r.rows[i].operation;
-      say("\n{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "", "latency",
-          "[ns]", "throughput", "instr.", "max", "p99", "median", "block [eps]", "dominated by");
+      say("\n{:<24}{:<11}{:<22}{:>9}  {:<22}{:>10}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "", "latency",
+          "[ns]", "throughput", "instr/cyc", "max", "p99", "median", "block [eps]", "dominated by");
     }
     print_row(r.rows[i], r.machine.reference_ns,
               by[i] < 0 ? "" : implementation_of(r.rows[static_cast<std::size_t>(by[i])]));
@@ -100,19 +119,19 @@ void print_curves(const CostResult& r) {
 void print_header(const CostResult& r) {
   say("{}\n"
       "latency, throughput: processor time of a call in times of a reference loop, {:.4g} ns: the median\n"
-      "  of {} processes, and its spread from run to run. The row call is the shortest operation of the\n"
-      "  signature. Its time is not subtracted.\n"
+      "  of short repetitions in {} processes, and its spread from run to run. The row call is the shortest\n"
+      "  operation of the signature. Its time is not subtracted.\n"
       "error: largest found (a lower bound), 99 % quantile and median, for the worst block, in eps of the\n"
       "  scalar, over the timed inputs. Dominated: another row has a lower latency and no larger error.\n"
       "instructions: {}\n",
       environment_line(), r.machine.reference_ns, r.options.processes,
-      r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);
+      r.no_counter.empty() ? "and cycles in user space, per call" : "not counted, " + r.no_counter);
 }
 
 std::string steadiness(const Machine& m) {
   return fmt::format(
-      "{:.0f} % of the repetitions were disturbed and left out{}", 100 * m.disturbed,
-      m.steady() ? "" : ": UNSTEADY, the machine changed speed; another run may give other ratios");
+      "spread {:.1f} %, half of the times have less; {:.0f} % of the repetitions were left out{}",
+      100 * m.spread, 100 * m.disturbed, m.steady() ? "" : ": UNSTEADY, another run may give other ratios");
 }
 
 /// While it is silent, standard output is lost: what the code of an adapter prints there must not get between the times.
@@ -152,13 +171,16 @@ std::optional<std::string> times_in_a_process(const CostOptions& o, double secon
 
 /// The options with the adapters, which are compared with liecheck unless other subjects are given.
 CostOptions with_adapters(CostOptions o, const AdapterFlags& adapters, bool probe) {
-  for (const std::string& text : o.adapters = adapters.adapters) {
-    if (adapters::library_in(text).empty())
-      throw std::invalid_argument(fmt::format(
-          "--adapter: '{}' is a command, whose time would be that of its pipe: give a shared library", text));
+  o.adapters = adapters.adapters;
+  add_subjects(o, adapters.start());
+  for (const std::string& text : o.adapters) {
+    if (!adapters::can_be_timed(text))
+      throw std::invalid_argument(
+          fmt::format("--adapter: '{}' is a command that does not time itself, as docs/adapters.md says: its "
+                      "time would be that of its pipe",
+                      text));
     if (probe) check_conventions(text);
   }
-  add_subjects(o, adapters.start());
   return o;
 }
 

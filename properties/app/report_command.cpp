@@ -37,15 +37,14 @@ struct ReportFlags {
 };
 
 /// The adapters whose calls can be timed.
-std::vector<std::string> libraries_of(const std::vector<std::string>& given) {
-  std::vector<std::string> libraries;
+std::vector<std::string> timed_of(const std::vector<std::string>& given) {
+  std::vector<std::string> timed;
   for (const std::string& adapter : given)
-    if (!adapters::library_in(adapter).empty())
-      libraries.push_back(adapter);
+    if (adapters::can_be_timed(adapter))
+      timed.push_back(adapter);
     else
-      warn(fmt::format("warning: '{}' is a command, whose time would be that of its pipe: it is not timed\n",
-                       adapter));
-  return libraries;
+      warn(fmt::format("warning: '{}' is a command that does not time itself: it is not timed\n", adapter));
+  return timed;
 }
 
 /// The files of the records. If one is a store, its record is written into `folder`.
@@ -85,7 +84,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
   CostOptions times;
   times.seed = f.cases.options.seed, times.seconds = 30, times.flags = everything && has_kernels();
   if (!f.no_cost && !everything) {
-    times.adapters = libraries_of(f.selection.adapters.adapters);
+    times.adapters = timed_of(f.selection.adapters.adapters);
     times.subjects = f.selection.subjects;
     std::erase(times.subjects, "all");
     for (const std::string& adapter : times.adapters)

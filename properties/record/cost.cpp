@@ -32,12 +32,15 @@ json ratio_record(const Ratio& r, double reference_ns) {
 }
 
 json set_record(const CostSet& set, double reference_ns) {
-  return {{"set", set.set},
-          {"inputs", set.inputs},
-          {"throughput", ratio_record(set.throughput, reference_ns)},
-          {"latency", ratio_record(set.latency, reference_ns)},
-          {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
-          {"blocks", list_of(set.blocks, block_record)}};
+  json all = {{"set", set.set},
+              {"inputs", set.inputs},
+              {"throughput", ratio_record(set.throughput, reference_ns)},
+              {"latency", ratio_record(set.latency, reference_ns)},
+              {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
+              {"blocks", list_of(set.blocks, block_record)}};
+  if (set.cycles > 0) all["cycles"] = set.cycles;
+  if (set.interface.processes > 0) all["interface"] = ratio_record(set.interface, reference_ns);
+  return all;
 }
 
 json row_records(const std::vector<CostRow>& rows, double reference_ns) {
@@ -61,6 +64,7 @@ json row_records(const std::vector<CostRow>& rows, double reference_ns) {
          {"dominated_throughput", dominator(throughput[i])},
          {"dominated_latency", dominator(latency[i])},
          {"sets", list_of(row.sets, [&](const CostSet& s) { return set_record(s, reference_ns); })}});
+    if (!row.timed.empty()) all.back()["timed"] = row.timed;
   }
   return all;
 }
@@ -92,6 +96,7 @@ json record_of(const CostResult& r) {
           {"reference_ns", r.machine.reference_ns},
           {"disturbed", r.machine.disturbed},
           {"steady", r.machine.steady()},
+          {"spread", r.machine.spread},
           {"seconds", r.options.seconds},
           {"elapsed", r.elapsed},
           {"clock", "processor time of the thread"},

@@ -22,24 +22,24 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Counts the instructions that this thread retires in user space, if Linux offers a hardware counter.
-class InstructionCounter {
+/// Counts instructions or cycles of this thread in user space, if Linux offers a hardware counter.
+class Counter {
  public:
-  InstructionCounter() {
+  explicit Counter(std::uint64_t what) {
     perf_event_attr a{};
     a.size = sizeof a;
     a.type = PERF_TYPE_HARDWARE;
-    a.config = PERF_COUNT_HW_INSTRUCTIONS;
+    a.config = what;
     a.disabled = a.exclude_kernel = a.exclude_hv = 1;
     a.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
     file_ = static_cast<int>(::syscall(SYS_perf_event_open, &a, 0, -1, -1, 0));
     if (file_ < 0) absent_ = std::string("perf_event_open: ") + std::strerror(errno);
   }
-  ~InstructionCounter() {
+  ~Counter() {
     if (file_ >= 0) ::close(file_);
   }
-  InstructionCounter(const InstructionCounter&) = delete;
-  InstructionCounter& operator=(const InstructionCounter&) = delete;
+  Counter(const Counter&) = delete;
+  Counter& operator=(const Counter&) = delete;
   /// Why there is no counter ("perf_event_open: ..."); empty if there is one.
   const std::string& absent() const { return absent_; }
   void start() {
@@ -47,7 +47,7 @@ class InstructionCounter {
     ::ioctl(file_, PERF_EVENT_IOC_RESET, 0);
     ::ioctl(file_, PERF_EVENT_IOC_ENABLE, 0);
   }
-  /// The instructions since start(); 0 if there is no counter, or if it did not run all the time.
+  /// The count since start(); 0 if there is no counter, or if it did not run all the time.
   std::uint64_t stop() {
     if (file_ < 0) return 0;
     ::ioctl(file_, PERF_EVENT_IOC_DISABLE, 0);
@@ -95,46 +95,59 @@ double reference_ns() {
   asm volatile("" : : "r"(room) : "memory");  // no tail call
 }
 
-/// The number of passes that take `seconds`, from a pass with cold caches.
+/// The number of passes that take `seconds`, from a pass with cold caches. Elsewhere, the first pass also pays for the way.
 std::size_t passes_in(double seconds, const Timed& row) {
   const auto start = Clock::now();
-  row.pass();
-  return static_cast<std::size_t>(std::clamp(seconds / std::max(seconds_since(start), 1e-8), 1.0, 1e7));
+  row.elsewhere ? void(row.elsewhere(1)) : row.pass();
+  const double pass = row.elsewhere ? row.elsewhere(8) / 8e9 : seconds_since(start);
+  return static_cast<std::size_t>(std::clamp(seconds / std::max(pass, 1e-8), 1.0, 1e7));
 }
 
 }  // namespace
 
 std::vector<std::vector<Repetition>> run_interleaved(const std::vector<Timed>& all, const Interleaving& how) {
-  InstructionCounter counter;
+  Counter instructions(PERF_COUNT_HW_INSTRUCTIONS), cycles(PERF_COUNT_HW_CPU_CYCLES);
   std::mt19937_64 random{std::random_device()()};
-  const auto start = Clock::now();
-  const auto over = [&] { return (how.stop && *how.stop) || seconds_since(start) > 1.3 * how.seconds + 1; };
+  const auto stopped = [&] { return how.stop && *how.stop; };
   const std::size_t total = all.size() * how.repetitions;
-  const double each = how.seconds / static_cast<double>(std::max<std::size_t>(1, total));
+  // Beside each repetition, the reference takes a part of its time.
+  const double each =
+      std::max(how.seconds / static_cast<double>(std::max<std::size_t>(1, total)) - 20e-6, 20e-6);
   std::vector<std::size_t> passes(all.size()), order;
-  for (std::size_t i = 0; i < all.size() && !over(); ++i) {
+  for (std::size_t i = 0; i < all.size() && !stopped(); ++i) {
+    if (!all[i].pass && !all[i].elsewhere) continue;
     passes[i] = passes_in(each, all[i]);
     order.insert(order.end(), how.repetitions, i);
   }
   std::shuffle(order.begin(), order.end(), random);
   std::vector<std::vector<Repetition>> repetitions(all.size());
+  const auto start = Clock::now();
+  const auto over = [&] { return stopped() || seconds_since(start) > 1.3 * how.seconds + 1; };
   for (std::size_t done = 0; done < order.size() && !over(); ++done) {
     const std::size_t i = order[done];
     const double calls = static_cast<double>(passes[i] * all[i].calls);
     const std::size_t shift = 32 * (random() % 128);  // within a page
     const double reference = reference_ns(), before = processor_time();
-    counter.start();
-    run_below(shift, all[i].pass, passes[i]);
-    const double instructions = static_cast<double>(counter.stop()) / calls;
-    const double ns = (processor_time() - before) * 1e9 / calls, after = reference_ns();
-    repetitions[i].push_back({0, ns, (reference + after) / 2, std::max(reference, after), instructions});
+    Repetition r;
+    if (all[i].elsewhere) {
+      r.ns = all[i].elsewhere(passes[i]) / calls;
+    } else {
+      instructions.start(), cycles.start();
+      run_below(shift, all[i].pass, passes[i]);
+      r.cycles = static_cast<double>(cycles.stop()) / calls;
+      r.instructions = static_cast<double>(instructions.stop()) / calls;
+      r.ns = (processor_time() - before) * 1e9 / calls;
+    }
+    const double after = reference_ns();
+    r.reference_ns = (reference + after) / 2, r.slowest_ns = std::max(reference, after);
+    repetitions[i].push_back(r);
     how.progress(static_cast<double>(done + 1) / static_cast<double>(total));
   }
   return repetitions;
 }
 
 std::string no_counter() {
-  return InstructionCounter().absent();
+  return Counter(PERF_COUNT_HW_INSTRUCTIONS).absent();
 }
 
 }  // namespace liecheck::properties

@@ -10,9 +10,11 @@
 
 namespace liecheck::properties {
 
+/// What is timed: `pass` here, or passes that are timed elsewhere; nothing if both are null.
 struct Timed {
   std::function<void()> pass;
   std::size_t calls = 1;  ///< calls of the timed operation in one pass
+  std::function<double(std::size_t passes)> elsewhere = nullptr;  ///< processor time of the passes [ns]
 };
 
 struct Interleaving {

@@ -2,9 +2,10 @@
 // Measures the time and the error of every operation of every subject on the same inputs.
 //
 // A time is processor time of the calling thread. It is measured in several processes, as a multiple of a
-// reference loop (repetitions.hpp, benchmarks.hpp). Every subject is called through a function pointer and
-// returns through memory. The subject `call` is such a call alone; its time is not subtracted. For throughput,
-// calls do not wait for one another. For latency, the address of the next input depends on the last result.
+// reference loop (repetitions.hpp, benchmarks.hpp). Every subject of this program is called through a function pointer and
+// returns through memory. The subject `call` is such a call alone; its time is not subtracted. An adapter has loops of its
+// own, which are compiled with its library. For throughput, calls do not wait for one another. For latency, the address of
+// the next input depends on the last result.
 
 #include <atomic>
 #include <cstdint>
@@ -38,12 +39,18 @@ struct CostSet {
   Ratio throughput, latency;  ///< no processes if this set was not timed
   double instructions = 0;    ///< per call; 0 without a counter
   std::vector<BlockErrors> blocks;
+  /// Of adapters: the latency of a call through the interface; of a program, of a call of nothing in its loop.
+  Ratio interface = {};
+  double cycles = 0;  ///< per call, as throughput; 0 without a counter
 };
 
 struct CostRow {
   std::string subject, version, scalar, operation;
   double eps = 0;             ///< of the scalar
   std::vector<CostSet> sets;  ///< the last one is "mixed"
+  /// Of adapters: in which loops they are timed. "own types" or "numbers", loops of the adapter (liecheck_loops); "calls",
+  /// through the interface; "one" or "one, many", loops of a program over single inputs, and all at once as throughput.
+  std::string timed = {};
 };
 
 /// The largest error of any block over all inputs, as the block defines it (not in eps). It is infinite if a
@@ -66,7 +73,7 @@ struct CostOptions {
   std::vector<std::string> adapters;  ///< as they were given; their subjects are registered
   std::uint64_t seed = 42;
   double seconds = 60;                          ///< approximate time for all timing
-  std::size_t processes = 20, repetitions = 2;  ///< repetitions of each process
+  std::size_t processes = 20, repetitions = 8;  ///< repetitions of each process
   std::size_t inputs_per_band = 256;
   bool curve = false;  ///< error over the angle, of textbook:CUTOFF, series:TERMS and liecheck
   bool flags = false;  ///< also time liecheck@FLAGS: in double, compiled with other flags (kernels.hpp)

@@ -9,6 +9,7 @@
 #include <subjects/subject_names.hpp>
 #include <support/names.hpp>
 #include <support/stop.hpp>
+#include <timing/direct.hpp>
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
@@ -85,14 +86,26 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
       const std::size_t at = adapters::place_of(*adapters::sizes_of(name));
       const adapters::OperationSizes& sizes =
           s->takes.quaternion_poses ? adapters::quaternion_sizes()[at] : adapters::all_sizes()[at];
+      const bool is_library = !adapters::library_in(s->adapter).empty();
+      const auto& loops = adapters::description_of(s->adapter)->timed;
+      const std::string timed = loops.contains(name) ? loops.at(name) : is_library ? "calls" : "";
+      if (timed.empty()) continue;  // its times would be those of a pipe
       Subject only{s->name, s->version, s->adapter, s->scalar};
       only.operations.take(operation, s->operations);
-      offered.push_back({s->name, s->version, direct_signature<S>(sizes.inputs),
-                         plan.scored ? nullptr : plan.direct(s->adapter, name, scalar, sizes),
-                         score_of(operation, law, std::move(only)),
-                         [&operation, stated](const std::vector<double>& x) {
-                           return conventions::given(operation, stated, x, oracles::scalar_of<S>.is_float());
-                         }});
+      Offered<S> row{s->name, s->version, {}, nullptr, score_of(operation, law, std::move(only))};
+      row.timed = timed;
+      if (!plan.scored)
+        row.passes = [&operation, stated, is_library, timed,
+                      calls = AdapterCalls<S>{s->adapter, name, scalar, sizes, {}}](
+                         const std::vector<std::vector<double>>& inputs) mutable {
+          calls.inputs.clear();
+          for (const auto& x : inputs)
+            for (const double number :
+                 conventions::given(operation, stated, x, oracles::scalar_of<S>.is_float()))
+              calls.inputs.push_back(static_cast<S>(number));
+          return is_library ? library_passes(calls) : program_passes(calls, timed);
+        };
+      offered.push_back(std::move(row));
     }
   };
   add_cost_rows<S, S>(
@@ -163,9 +176,7 @@ CostPlan plan_of(const CostOptions& options, bool scored) {
 /// The passes that are timed, in the order of the plan.
 std::vector<Timed> passes_of(const CostPlan& plan) {
   std::vector<Timed> all;
-  for (const TimedSet& t : plan.timed)
-    for (const auto pass : {&Signature::throughput, &Signature::latency})
-      if (t.signature.*pass) all.push_back({t.pass(pass), t.n});
+  for (const TimedSet& t : plan.timed) all.push_back(t.timed);
   return all;
 }
 
@@ -180,7 +191,7 @@ CostResult measure_cost(const CostOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   CostPlan plan = plan_of(options, true);
   CostResult result{options, {}, false, 0, {}, no_counter()};
-  std::vector<std::vector<Repetition>> repetitions(passes_of(plan).size());
+  std::vector<std::vector<Repetition>> repetitions(plan.timed.size());
   for (std::size_t p = 0; p < options.processes && !plan.stopped(); ++p) {
     const double share = 1 / static_cast<double>(options.processes);
     if (const auto text = options.times_in_a_process(share * options.seconds))
@@ -188,16 +199,18 @@ CostResult measure_cost(const CostOptions& options) {
     options.progress(share * static_cast<double>(p + 1));
   }
   result.machine = keep_undisturbed(repetitions);
+  std::vector<double> spreads;
   auto next = repetitions.begin();
   for (const TimedSet& t : plan.timed) {
     CostSet& set = plan.rows[t.row].sets[t.set];
-    std::vector<double> instructions;
-    for (const Repetition& r : *next)
-      if (r.instructions > 0) instructions.push_back(r.instructions);
-    set.instructions = spread_of(instructions).median;
-    set.throughput = ratio_of(*next++);
-    if (t.signature.latency) set.latency = ratio_of(*next++);
+    set.*t.what = ratio_of(*next);
+    if ((set.*t.what).processes > 0) spreads.push_back((set.*t.what).spread());
+    if (t.what == &CostSet::throughput)
+      set.instructions = counted(*next, &Repetition::instructions),
+      set.cycles = counted(*next, &Repetition::cycles);
+    ++next;
   }
+  result.machine.spread = spread_of(std::move(spreads)).median;
   result.rows = std::move(plan.rows);
   result.complete = !plan.stopped();
   result.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

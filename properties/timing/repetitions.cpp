@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,25 +43,32 @@ Machine keep_undisturbed(std::vector<std::vector<Repetition>>& rows) {
     row.resize(std::max(kept, std::min<std::size_t>(row.size(), 8)));
   }
   const double all = static_cast<double>(slowest.size());
-  return {spread_of(references).median, 1 - static_cast<double>(references.size()) / all};
+  return {spread_of(references).median, 1 - static_cast<double>(references.size()) / all, 0};
 }
 
 Ratio ratio_of(const std::vector<Repetition>& row) {
-  std::map<std::size_t, std::vector<double>> by_process;
-  for (const Repetition& r : row) by_process[r.process].push_back(r.ns / r.reference_ns);
-  std::vector<double> x;
-  for (const auto& [process, ratios] : by_process) x.push_back(spread_of(ratios).median);
-  if (x.empty()) return {};
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  const double median = spread_of(x).median, f = std::max(median / *low, *high / median);
-  return {median, median / (f * f * between_runs), median * f * f * between_runs, x.size()};
+  std::set<std::size_t> processes;
+  std::vector<double> ratios;
+  for (const Repetition& r : row) processes.insert(r.process), ratios.push_back(r.ns / r.reference_ns);
+  if (row.empty()) return {};
+  const Spread all = spread_of(ratios);
+  const double f = std::max(all.median / all.low, all.high / all.median),
+               g = std::pow(f, std::sqrt(2.0) * 2.58 / 1.96) * between_runs;
+  return {all.median, all.median / g, all.median * g, processes.size()};
+}
+
+double counted(const std::vector<Repetition>& row, double Repetition::*counts) {
+  std::vector<double> all;
+  for (const Repetition& r : row)
+    if (r.*counts > 0) all.push_back(r.*counts);
+  return spread_of(std::move(all)).median;
 }
 
 std::string written(const std::vector<std::vector<Repetition>>& rows) {
   std::string text;
   for (const auto& row : rows) {
     for (const Repetition& r : row)
-      text += fmt::format("{} {} {} {} ", r.ns, r.reference_ns, r.slowest_ns, r.instructions);
+      text += fmt::format("{} {} {} {} {} ", r.ns, r.reference_ns, r.slowest_ns, r.instructions, r.cycles);
     text += '\n';
   }
   return text;
@@ -77,7 +84,7 @@ void append_written(std::vector<std::vector<Repetition>>& rows, const std::strin
     std::getline(lines, line);
     std::istringstream numbers(line);
     Repetition r{process};
-    while (numbers >> r.ns >> r.reference_ns >> r.slowest_ns >> r.instructions) row.push_back(r);
+    while (numbers >> r.ns >> r.reference_ns >> r.slowest_ns >> r.instructions >> r.cycles) row.push_back(r);
   }
 }
 

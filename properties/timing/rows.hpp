@@ -1,11 +1,8 @@
 #pragma once
 // The rows of one scalar: every operation of every subject, with its errors, ready to be timed.
 
-#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <array>
-#include <conventions/stated.hpp>
-#include <deque>
 #include <functional>
 #include <invariants/arguments.hpp>
 #include <iterator>
@@ -14,26 +11,17 @@
 #include <timing/batches.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>
-#include <timing/direct.hpp>
 #include <timing/inputs.hpp>
+#include <timing/passes.hpp>
 #include <timing/signature.hpp>
 
 namespace liecheck::properties {
 
-/// n calls of one function. Their times belong to sets[set] of the row with index `row`.
+/// What gives a time of sets[set] of the row with index `row`.
 struct TimedSet {
   std::size_t row, set;
-  Signature signature;
-  AnyFunction function;
-  std::shared_ptr<const char> arguments;
-  std::size_t first, n;
-
-  using Pass = void (*Signature::*)(AnyFunction, const char*, std::size_t);
-  std::function<void()> pass(Pass which) const {
-    return [run = signature.*which, f = function, from = arguments.get() + first * signature.size, n = n] {
-      run(f, from, n);
-    };
-  }
+  Ratio CostSet::*what;
+  Timed timed;
 };
 
 struct CostPlan {
@@ -41,14 +29,6 @@ struct CostPlan {
   bool scored;  ///< whether the rows get errors
   std::vector<CostRow> rows;
   std::vector<TimedSet> timed;
-  std::deque<DirectFunction> functions = {};  ///< of adapters
-
-  AnyFunction direct(const std::string& adapter, const std::string& operation, const std::string& scalar,
-                     const adapters::OperationSizes& sizes) {
-    functions.push_back({adapters::function_of_library(adapters::library_in(adapter), operation, scalar),
-                         sizes.inputs, sizes.results});
-    return reinterpret_cast<AnyFunction>(&functions.back());
-  }
   bool wants(const std::vector<std::string>& list, const std::string& name) const {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
   }
@@ -77,13 +57,9 @@ struct Offered {
   Signature signature;
   AnyFunction function;
   Score<Input> score;
-  /// The arguments of a call as an adapter is given them; null if they are liecheck's.
-  std::function<std::vector<double>(const std::vector<double>&)> given = nullptr;
-
-  std::vector<std::vector<double>> all_given(std::vector<std::vector<double>> numbers) const {
-    for (std::vector<double>& one : numbers) one = given(one);
-    return numbers;
-  }
+  /// Of an adapter: what is timed of calls with these arguments; null if they are timed elsewhere.
+  std::function<Passes(const std::vector<std::vector<double>>&)> passes = nullptr;
+  std::string timed = {};  ///< of CostRow
 };
 
 /// Adds the row of one operation for each subject that offers it. With `bands`, it also times each band.
@@ -102,33 +78,40 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   std::map<decltype(Signature::arguments), std::array<std::shared_ptr<const char>, 2>> arguments;
   for (const Offered<Input>& offered : all) {
     CostRow row = common;
-    row.subject = offered.subject, row.version = offered.version;
+    row.subject = offered.subject, row.version = offered.version, row.timed = offered.timed;
     const Signature& signature = offered.signature;
-    auto [in_order, in_any_order] = arguments[signature.arguments];
-    if (offered.given)
-      in_order = signature.arguments(offered.all_given(numbers)),
-      in_any_order = signature.arguments(offered.all_given(shuffled));
-    else if (!in_order)
-      arguments[signature.arguments] = {in_order = signature.arguments(numbers),
-                                        in_any_order = signature.arguments(shuffled)};
+    const bool is_adapter = !offered.timed.empty();
+    std::array<Passes, 2> passes;  // in order, and shuffled
+    if (is_adapter) {
+      if (offered.passes) passes = {offered.passes(numbers), offered.passes(shuffled)};
+    } else {
+      auto& made = arguments[signature.arguments];
+      if (!made[0]) made = {signature.arguments(numbers), signature.arguments(shuffled)};
+      for (const int i : {0, 1}) passes[i] = function_passes(signature, offered.function, made[i]);
+    }
     // Batches and libraries compiled with other flags are timed on all bands together.
-    const bool by_band =
-        bands && !plan.options.curve && signature.latency && row.subject.find('@') == std::string::npos;
+    const bool by_band = bands && !plan.options.curve && (is_adapter || signature.latency) &&
+                         row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     std::vector<TimedSet> timed;  // added to the plan with their row, or not at all
+    const auto time = [&](std::size_t set, const Passes& all, std::size_t first, std::size_t n) {
+      for (const auto what : {&CostSet::throughput, &CostSet::latency})
+        timed.push_back({plan.rows.size(), set, what, all ? all(what, first, n) : Timed{}});
+    };
     for (std::size_t b = 0; b < plan.options.bands().size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
       CostSet set{plan.options.bands()[b].name, each, {}, {}, 0, {}};
       if (plan.scored && offered.score)
         set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
       merge_blocks(mixed.blocks, set.blocks);
-      if (by_band)
-        timed.push_back({plan.rows.size(), b, signature, offered.function, in_order, b * each, each});
+      if (by_band) time(b, passes[0], b * each, each);
       row.sets.push_back(std::move(set));
     }
     if (plan.stopped()) return;
-    timed.push_back(
-        {plan.rows.size(), row.sets.size(), signature, offered.function, in_any_order, 0, inputs.size()});
+    time(row.sets.size(), passes[1], 0, inputs.size());
+    if (is_adapter)
+      timed.push_back({plan.rows.size(), row.sets.size(), &CostSet::interface,
+                       passes[1] ? passes[1](&CostSet::interface, 0, inputs.size()) : Timed{}});
     row.sets.push_back(std::move(mixed));
     plan.rows.push_back(std::move(row));
     std::move(timed.begin(), timed.end(), std::back_inserter(plan.timed));

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <conventions/stated.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <operations/operations.hpp>
 #include <support/files.hpp>
-#include <timing/rows.hpp>
 
 #include "../scratch.hpp"
 
@@ -45,9 +46,57 @@ TEST_F(AdapterCost, IsMeasuredBesideThatOfTheSameFunctionInTheProgram) {
   EXPECT_LT(ratio, 5);
 }
 
-TEST_F(AdapterCost, OfACommandIsRefused) {
-  EXPECT_EQ(run("cost --op exp6 --adapter 'python3 adapter.py'"), 2);
-  EXPECT_NE(text("err").find("'python3 adapter.py' is a command"), std::string::npos) << text("err");
+TEST_F(AdapterCost, IsThatOfTheLoopsThatAreCompiledWithIt) {
+  const std::string cost = "cost --scalar double --for 2s --json r.json --op ";
+  ASSERT_EQ(run(cost + "exp6 --adapter " LIECHECK_EXP6_ADAPTER), 0) << text("err");
+  const auto by_loops = row(nlohmann::json::parse(text("r.json")), "exp6");
+  EXPECT_EQ(by_loops["timed"], "numbers");
+  EXPECT_GT(by_loops["sets"].back()["interface"]["ns"].get<double>(), 0);
+  EXPECT_NE(text("out").find("timed by its own loops on numbers; through the interface, a call takes"),
+            std::string::npos);
+  // One in C has no loops.
+  ASSERT_EQ(run(cost + "exp3_quaternion --adapter " LIECHECK_C_ADAPTER), 0) << text("err");
+  const auto by_calls = row(nlohmann::json::parse(text("r.json")), "rotations");
+  EXPECT_EQ(by_calls["timed"], "calls");
+  EXPECT_FALSE(by_calls["sets"].back().contains("interface"));
+}
+
+TEST_F(AdapterCost, OfACommandIsMeasuredInItsProcess) {
+  // It takes a microsecond for one input, and a hundredth for many at once, as it says, and refuses every call.
+  std::ofstream(folder_ / "slow.py") << R"(
+import sys
+read, answers = sys.stdin.buffer, sys.stdout.buffer
+def say(line, more=b""):
+    answers.write(line.encode() + b"\n" + more)
+    answers.flush()
+read.readline()
+say('{"protocol": 1, "name": "slow", "version": "1", "operations": {"exp3_quaternion": ["double"]}, '
+    '"timed": {"exp3_quaternion": "one, many"}}')
+for line in iter(read.readline, b""):
+    words = line.decode().split()
+    if words[0] == "time":
+        n, passes = int(words[4]), int(words[5])
+        read.read(n * 24)
+        say(f"timed {dict(one=1000, many=10, nothing=100)[words[1]] * n * passes}")
+    else:
+        n = int(words[3])
+        read.read(n * 24)
+        say(f"done {n} no", bytes([1]) * n + bytes(n * 32))
+)";
+  ASSERT_EQ(
+      run("cost --op exp3_quaternion --scalar double --for 2s --json r.json --adapter 'python3 slow.py'"), 0)
+      << text("err");
+  const auto set = row(nlohmann::json::parse(text("r.json")), "slow")["sets"].back();
+  const auto ns = [&](const char* what) { return set[what]["ns"].get<double>(); };
+  EXPECT_NEAR(ns("latency") / ns("throughput"), 100, 30);  // of another moment of the machine
+  EXPECT_NEAR(ns("latency") / ns("interface"), 10, 3);
+  EXPECT_NE(text("out").find("on numbers, one at a time, and as throughput 1280 at once; its loop alone takes"),
+            std::string::npos);
+}
+
+TEST_F(AdapterCost, OfACommandThatDoesNotTimeItselfIsRefused) {
+  EXPECT_EQ(run("cost --op exp3_quaternion --adapter 'python3 " LIECHECK_BAD_PYTHON "'"), 2);
+  EXPECT_NE(text("err").find("is a command that does not time itself"), std::string::npos) << text("err");
 }
 
 TEST_F(AdapterCost, EndsWithAnErrorIfTheLibraryEndsTheProcess) {
