@@ -12,7 +12,8 @@ bool other_flags(const Json& row) {
 
 namespace {
 
-/// The largest relative error of the inputs of a set, as `error` of a row is that of all; infinite if one has no error.
+/// The largest relative error of the inputs of a set, as `error` of a row is that of all inputs; infinite if
+/// one has no error.
 double error_of_set(const Json& set, double eps) {
   double most = 0;
   for (const Json& b : set["blocks"]) {

@@ -8,7 +8,8 @@
 namespace liecheck::reports {
 namespace {
 
-/// The pictures near 0 and near pi of the block that a finding names, of its worst one in double if it names several.
+/// The pictures near 0 and near pi of the block that a finding names, of its worst one in double if it names
+/// several.
 std::string bands_of(const Looks& looks, const Json& finding, const std::string& title) {
   const auto rank = [&](const Json& row) {
     const bool named = title.find("(" + row["block"].get<std::string>()) != title.npos;
@@ -32,8 +33,8 @@ std::string bands_of(const Looks& looks, const Json& finding, const std::string&
   return "<div class=\"panels\">" + out + "</div>";
 }
 
-/// The digits and the time of the operation on the timed inputs, and those of the fastest library that is right in it; ""
-/// without times.
+/// The digits and the time of the operation on the timed inputs, and those of the fastest library that is
+/// right in it; "" without times.
 std::string price_of(const Looks& looks, const Json& finding) {
   const std::string operation = finding["operation"], subject = finding["subject"];
   std::vector<CostPoint> points;

@@ -74,8 +74,8 @@ Verdict verdict_on(const Looks& looks, const std::string& subject, const std::ve
       fmt::format("is <b>within budget</b> in {} and every band{}", plural(all.size(), "operation"), also)};
 }
 
-/// The block that tells most: of the operations that everybody uses, the one whose errors near 0 and near pi differ most between
-/// the libraries or, of one library, are largest; another one if only others fail.
+/// The block that tells most: of the operations that everybody uses, the one whose errors near 0 and near pi
+/// differ most between the libraries or, of one library, are largest; another one if only others fail.
 std::vector<const Json*> telling_rows(const Looks& looks, const std::string& scalar) {
   static const std::vector<std::string> common = {"exp6", "log6", "exp3_quaternion", "log3_quaternion",
                                                   "log3_matrix"};
