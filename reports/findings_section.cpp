@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <reports/cost_advice.hpp>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
 #include <tuple>
@@ -33,19 +34,29 @@ std::string bands_of(const Looks& looks, const Json& finding, const std::string&
   return "<div class=\"panels\">" + out + "</div>";
 }
 
-/// The digits and the time of the operation on the timed inputs, and those of the fastest library that is
-/// right in it; "" without times.
+/// HTML: the digits and the time of the operation on the timed inputs, and what a repaired form of its formula would win or,
+/// among libraries, those of the fastest one that is right in it; "" without times.
 std::string price_of(const Looks& looks, const Json& finding) {
   const std::string operation = finding["operation"], subject = finding["subject"];
-  std::vector<CostPoint> points;
+  const Json* cost = nullptr;
   for (const Json& record : looks.merged.records)
-    if (record.contains("cost")) points = cost_points(record["cost"]);
+    if (record.contains("cost")) cost = &record["cost"];
+  if (!cost) return "";
+  if (const auto libraries = libraries_in(*cost); libraries == std::vector<std::string>{subject})
+    return cost_sentence(region_points(*cost, operation, every_angle(*cost)), libraries);
+  const auto judged = [&](const std::string& name) {
+    return !looks.wrong.contains({name, operation}) &&
+           std::ranges::any_of(looks.merged.results, [&](const Json& row) {
+             return row["subject"] == name && row["operation"] == operation;
+           });
+  };
+  const std::vector<CostPoint> points = cost_points(*cost);
   const CostPoint *own = nullptr, *better = nullptr;
   for (const CostPoint& p : points) {
     if (p.operation != operation || p.scalar != "double" || p.latency <= 0) continue;
     if (p.subject == subject)
       own = &p;
-    else if (!looks.wrong.contains({p.subject, operation}) && (!better || p.latency < better->latency))
+    else if (judged(p.subject) && (!better || p.latency < better->latency))
       better = &p;
   }
   if (!own) return "";
@@ -54,7 +65,7 @@ std::string price_of(const Looks& looks, const Json& finding) {
   };
   return words(*own) + " on the timed inputs" +
          (better && better->error < .1 * own->error
-              ? fmt::format("; {}, which is within budget, has {}", better->subject, words(*better))
+              ? fmt::format("; {}, which is within budget, has {}", escaped(better->subject), words(*better))
               : std::string());
 }
 
@@ -79,6 +90,7 @@ std::string findings_section(const Looks& looks) {
             fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name),
                         name == "replay"    ? fmt::format("<code class=\"replay\">{}</code>", escaped(words))
                         : name == "program" ? fmt::format("<code class=\"program\">{}</code>", escaped(words))
+                        : name == "time"    ? words
                                             : escaped(words));
       }
       const std::string subject = finding["subject"];
