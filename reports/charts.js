@@ -1,15 +1,14 @@
 // Charts: a pair (near 0, near pi) for each block of an operation, created when it comes into view.
 
 // The colours of Okabe and Ito (2008) and four of Tol's, on white and on a dark page, each with a marker shape for readers
-// of a black and white copy. A library has the same one everywhere.
+// of a black and white copy. A library has the same one everywhere: numbers.looks.
 const LOOKS = [
   {light: "#0072b2", dark: "#5ab4ec", shape: "circle"}, {light: "#d55e00", dark: "#ff8a3d", shape: "triangle"},
   {light: "#009e73", dark: "#2fcf9f", shape: "rect"}, {light: "#cc79a7", dark: "#e79cc6", shape: "rectRot"},
-  {light: "#000000", dark: "#f2f2f2", shape: "crossRot"}, {light: "#e69f00", dark: "#f3bd3f", shape: "star"},
-  {light: "#56b4e9", dark: "#a9dcfa", shape: "cross"}, {light: "#882255", dark: "#d9629f", shape: "circle"},
+  {light: "#882255", dark: "#d9629f", shape: "circle"}, {light: "#e69f00", dark: "#f3bd3f", shape: "star"},
+  {light: "#56b4e9", dark: "#a9dcfa", shape: "cross"}, {light: "#000000", dark: "#f2f2f2", shape: "crossRot"},
   {light: "#44aa99", dark: "#7fd6c8", shape: "triangle"}, {light: "#999933", dark: "#d0d06a", shape: "rect"},
   {light: "#661100", dark: "#c9806f", shape: "rectRot"}];
-const KNOWN = ["liecheck", "textbook", "eigen", "ceres"];
 const STATISTICS = {
   max_eps: {name: "max", dash: [], width: 2}, p99_eps: {name: "p99", dash: [7, 4], width: 1.3},
   median_eps: {name: "median", dash: [1.5, 3], width: 1.5}};
@@ -26,10 +25,8 @@ const INK = () => isDark() ? "#e8e8e8" : "#1b1b1b", PAPER = () => isDark() ? "#1
   SLOT = () => isDark() ? "#262b32" : "#e9e9e9", SOFT = () => isDark() ? "#b4b4b4" : "#555";
 
 function lookOf(subject) {
-  const others = named.filter(s => !KNOWN.includes(s));
-  const i = KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject);
-  const {light, dark, shape} = LOOKS[i % LOOKS.length];
-  return {color: isDark() ? dark : light, variable: `var(--look-${i % LOOKS.length})`, shape};
+  const i = numbers.looks[subject] % LOOKS.length, {light, dark, shape} = LOOKS[i];
+  return {color: isDark() ? dark : light, variable: `var(--look-${i})`, shape};
 }
 
 function short(value) {
@@ -47,7 +44,7 @@ const outcomes = row => [...count(row.not_finite, "NaN or Inf"), ...count(row.wr
   ...count(row.unresolved, "unresolved"), ...count(row.unmeasured, "unmeasured")];
 
 // The datasets of one chart: a line for each subject and statistic, broken at every slot.
-function datasets(rows, x, y, statistics, apart = false) {
+function datasets(rows, x, y, statistics) {
   const present = subjects.filter(s => rows.some(r => r.subject === s));
   const shift = (s, slot) => slot ? (present.indexOf(s) + .5 - present.length / 2) * x.slot * .8 / present.length : 0;
   const sets = [];
@@ -57,7 +54,7 @@ function datasets(rows, x, y, statistics, apart = false) {
       .sort((a, b) => x.position.get(a.band) - x.position.get(b.band));
     for (const statistic of statistics) {
       const main = statistic === "max_eps", data = [];
-      const {dash, width} = !apart ? STATISTICS[statistic] : {max_eps: {dash: [], width: 1.5}, p99_eps: {dash: [], width: 2.4}, median_eps: {dash: [2, 3], width: 1.3}}[statistic];
+      const {dash, width} = STATISTICS[statistic];
       for (const row of own) {
         const at = x.position.get(row.band) + shift(subject, isSlot(row));
         const value = typeof row[statistic] === "number" ? y.place(row[statistic]) : NaN;
@@ -65,8 +62,8 @@ function datasets(rows, x, y, statistics, apart = false) {
         data.push({x: at, y: value, row, statistic, radius: main ? 4.5 : isSlot(row) ? 2 : 0});
         if (isSlot(row)) data.push({x: at, y: NaN});
       }
-      sets.push({label: subject, data, borderColor: color, backgroundColor: main && !apart ? color : PAPER(), borderDash: dash,
-        borderWidth: width, showLine: !(apart && main), pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
+      sets.push({label: subject, data, borderColor: color, backgroundColor: main ? color : PAPER(), borderDash: dash,
+        borderWidth: width, pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
         pointHoverRadius: 7, order: main ? 1 : 2, clip: 8});
     }
     const broken = y.ceilings.flatMap(c => own.filter(c.holds).map(row => ({row, statistic: c.name, y: c.value,

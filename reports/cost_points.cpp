@@ -10,14 +10,36 @@ bool other_flags(const Json& row) {
   return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
 }
 
-std::vector<CostPoint> cost_points(const Json& cost) {
+namespace {
+
+/// The largest relative error of the inputs of a set, as `error` of a row is that of all inputs; infinite if
+/// one has no error.
+double error_of_set(const Json& set, double eps) {
+  double most = 0;
+  for (const Json& b : set["blocks"]) {
+    if (b["block"].get_ref<const std::string&>().ends_with("defect")) continue;
+    for (const char* outcome : {"not_finite", "wrong_branch", "refused"})
+      if (b[outcome] > 0) return std::numeric_limits<double>::infinity();
+    most = std::max(most, figure(b["max_eps"]) * eps);
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
   std::vector<CostPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["error"].is_null() || other_flags(row)) continue;
-    const Json& latency = row["sets"].back()["latency"];
-    points.push_back({row["subject"], row["scalar"], row["operation"], figure(row["error"]),
+    const auto own = set.empty()
+                         ? std::prev(row["sets"].end())
+                         : std::ranges::find_if(row["sets"], [&](const Json& s) { return s["set"] == set; });
+    if (own == row["sets"].end()) continue;
+    const Json& latency = (*own)["latency"];
+    points.push_back({row["subject"], row["scalar"], row["operation"],
+                      set.empty() ? figure(row["error"]) : error_of_set(*own, row["eps"]),
                       latency.is_null() ? 0 : latency["ns"].get<double>(),
-                      !row["dominated_latency"].is_null()});
+                      set.empty() && !row["dominated_latency"].is_null()});
   }
   return points;
 }
@@ -44,34 +66,8 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
   return steps;
 }
 
-std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
-                                       const std::vector<std::string>& operations) {
-  std::vector<CostPoint> all;
-  for (const CostPoint& first : points) {
-    if (operations.empty() || first.operation != operations.front()) continue;
-    CostPoint sum{first.subject, first.scalar, first.operation};
-    std::size_t offered = 0;
-    for (const CostPoint& p : points)
-      if (p.subject == sum.subject && p.scalar == sum.scalar && p.latency > 0 &&
-          std::find(operations.begin(), operations.end(), p.operation) != operations.end())
-        ++offered, sum.error = std::max(sum.error, p.error), sum.latency += p.latency;
-    if (offered == operations.size()) all.push_back(sum);
-  }
-  return all;
-}
-
-const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error) {
-  const CostPoint* best = nullptr;
-  for (const CostPoint& c : all)
-    if (c.error <= error && (!best || c.latency < best->latency)) best = &c;
-  return best;
-}
-
-const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar) {
-  const CostPoint* best = nullptr;
-  for (const CostPoint& c : all)
-    if (c.scalar == scalar && (!best || c.error < best->error)) best = &c;
-  return best;
+double shown_digits(const CostPoint& p) {
+  return std::min(digits_of(p), p.scalar == "float" ? 7.2 : p.scalar == "double" ? 16.0 : 100.0);
 }
 
 }  // namespace liecheck::reports

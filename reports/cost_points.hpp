@@ -1,5 +1,5 @@
 #pragma once
-// The points (time, error) of a cost record, the steps between undominated points, and candidates for advice.
+// The points (time, error) of a cost record, and the steps between undominated points.
 
 #include <reports/record.hpp>
 #include <string>
@@ -19,8 +19,12 @@ struct CostPoint {
 /// Whether a row is the same code with other compiler flags, "liecheck@gcc-O2".
 bool other_flags(const Json& row);
 
-/// The points in the order of the record, without the rows of `call` and of other compiler flags.
-std::vector<CostPoint> cost_points(const Json& cost);
+/// The points in the order of the record, without the rows of `call` and of other compiler flags: over all inputs or, with
+/// the name of a set, over those of one band of angles, where none counts as dominated.
+std::vector<CostPoint> cost_points(const Json& cost, const std::string& set = "");
+
+/// The correct digits that are shown: at most those that the scalar has.
+double shown_digits(const CostPoint& point);
 
 /// Correct digits, max(0, -log10 error): infinite if every result is exact, 0 if a case has no result.
 double digits_of(const CostPoint& point);
@@ -31,14 +35,5 @@ struct CostStep {
   const CostPoint *from, *to;
 };
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation);
-
-/// A point for each subject and scalar that offers every operation of a list. Its error is the largest error
-/// of these operations, its latency is the sum of theirs, and its `operation` is the first one of the list.
-std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
-                                       const std::vector<std::string>& operations);
-
-/// The fastest candidate with at most this error; null if there is none.
-const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error);
-const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar);
 
 }  // namespace liecheck::reports

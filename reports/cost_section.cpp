@@ -1,63 +1,37 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <reports/cost_advice.hpp>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 namespace liecheck::reports {
 
 namespace {
 
-/// Operations that a tracker or controller calls. The advice adds up the times of all of them.
+/// Operations that a tracker or controller calls.
 const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
 
-std::string digits(double error) {
-  return std::isinf(error) ? "no digit"
-         : error > 0       ? fmt::format("{:.1f} digits", -std::log10(error))
-                           : "every digit";
-}
-
-/// Recommends a subject and scalar for a 1 kHz controller and for an offline calibration, with the rules.
-std::string advice(const std::vector<CostPoint>& points) {
-  const auto all = cost_candidates(points, core);
-  if (all.empty())
-    return "<p>No advice: no subject offers all of exp6, log6, integrate and difference.</p>\n";
-  constexpr double hour = 3.6e6, encoder = 1e-7, calls = 100, tick = 1e6;
-  std::string out = "<dl class=\"advice\">\n";
-  const auto item = [&](const char* what, const std::string& text) {
-    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", what, text);
-  };
-  const std::string rule = fmt::format(
-      "The rule: an hour has {:.1e} ticks. If the errors of all ticks add up, their sum must stay below "
-      "1e-7, which is finer than an encoder of 24 bits. The fastest choice that satisfies this is taken.",
-      hour);
-  if (const auto* c = fastest_within(all, encoder / hour)) {
-    const double share = calls * c->latency / tick;
-    item("For a 1 kHz controller",
-         fmt::format("take <b>{}</b>: {} calls of each of exp6, log6, integrate and difference, one after "
-                     "the other, take {}, {:.2g} % of a tick of 1 ms{}, with {} correct. {}",
-                     escaped(c->name()), calls, time_text(calls * c->latency), share * 100,
-                     share > 1 ? " (too much: call fewer)" : "", digits(c->error), rule));
-  } else {
-    item("For a 1 kHz controller", "no subject measured here is accurate enough. " + rule);
+/// Of each operation of `core`, the error against time near 0, at moderate angles and near pi.
+std::string fronts(const Looks& looks, const Json& cost) {
+  std::string out;
+  for (const std::string& operation : core) {
+    std::string panels;
+    for (const CostRegion& region : cost_regions(cost)) {
+      const std::string picture = cost_picture(looks, cost_points(cost, region.bands.front()), operation);
+      if (!picture.empty())
+        panels +=
+            fmt::format("<figure><figcaption>{}</figcaption><p class=\"note\">{}</p>{}</figure>", region.name,
+                        cost_sentence(region_points(cost, operation, region), libraries_in(cost)), picture);
+    }
+    if (!panels.empty())
+      out += fmt::format(
+          "<h3>{}: correct digits over the latency of a call</h3>\n<div class=\"panels\">{}</div>\n",
+          operation, panels);
   }
-  const std::string offline =
-      "The rule: finite differences and normal equations square a condition number of up to 1e8 and so lose "
-      "16 digits, and six digits must remain. The fastest choice with 22 correct digits is taken.";
-  const auto* wide = fastest_within(all, 1e-22);
-  const auto* in_double = most_accurate(all, "double");
-  const std::string narrow = in_double ? fmt::format(" The most accurate in double is <b>{}</b>, {}.",
-                                                     escaped(in_double->name()), digits(in_double->error))
-                                       : "";
-  item("For an offline calibration",
-       (wide ? fmt::format("take <b>{}</b>: {} at {} for one call of each of the four, {} for a million. {}",
-                           escaped(wide->name()), digits(wide->error), time_text(wide->latency),
-                           time_text(wide->latency * 1e6), offline)
-             : "no subject measured here has 22 correct digits. " + offline) +
-           narrow);
-  return out + "</dl>\n";
+  return out;
 }
 
 std::string price_table(const std::vector<CostPoint>& points, const std::vector<std::string>& operations) {
@@ -118,16 +92,16 @@ std::string flags_table(const Json& cost) {
 
 }  // namespace
 
-std::string cost_section(const Merged& merged) {
+std::string cost_section(const Looks& looks) {
   std::string out;
-  for (const Json& record : merged.records) {
+  for (const Json& record : looks.merged.records) {
     if (!record.contains("cost")) continue;
     const Json &cost = record["cost"], &e = cost["environment"];
     const auto points = cost_points(cost);
     Distinct<std::string> operations;
     for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
-    out += advice(points);
+    out += fronts(looks, cost) + cost_advice(cost);
     out += fmt::format(
         "<p class=\"note\">Subjects of the program are called through a function pointer. All of a scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "

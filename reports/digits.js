@@ -1,4 +1,4 @@
-// The table of operations by libraries: the digits that the worst case keeps in each region. A cell opens its regions.
+// The table of digits, which digits_section.cpp writes: its filters, and the regions that a cell opens.
 
 // Hexadecimal text of a floating-point number, as printf writes it with %a, as decimal text; rounded if it is beyond double.
 function decimalOf(hex) {
@@ -64,65 +64,83 @@ function regionRows(region, rows) {
   return {lines: [line, below], toggle, row};
 }
 
-function openDigits(line, button, operation, subject, own, span) {
-  const open = button.getAttribute("aria-expanded") === "true";
-  for (const old of document.querySelectorAll("#digits-table tr.detail")) old.remove();
-  for (const b of document.querySelectorAll("#digits-table button.digits")) b.setAttribute("aria-expanded", "false");
+const cellRows = new Map();  // "operation|subject|scalar" -> rows
+for (const r of results) {
+  if (!(r.count > (r.outside_domain ?? 0))) continue;
+  const key = `${r.operation}|${r.subject}|${r.scalar}`;
+  cellRows.has(key) ? cellRows.get(key).push(r) : cellRows.set(key, [r]);
+}
+const rowsOf = button => cellRows.get(`${button.dataset.operation}|${button.dataset.subject}|${button.dataset.scalar}`);
+
+// Closes what is open, and opens the regions of a cell: the worst case of each, and the charts of its worst block.
+function openDigits(button) {
+  const table = document.getElementById("digits-table"), open = button.getAttribute("aria-expanded") === "true";
+  for (const old of table.querySelectorAll("tr.detail")) { forget(old); old.remove(); }
+  for (const b of table.querySelectorAll("button.digits[aria-expanded=true]")) b.setAttribute("aria-expanded", "false");
+  const {operation, subject, scalar} = button.dataset, own = rowsOf(button);
   chosen.open = open ? "" : `${operation}:${subject}`;
+  chosen.in = open ? "" : scalar;
   if (open) return;
   button.setAttribute("aria-expanded", "true");
   const heads = ["region", "digits kept", "worst block and band", "error found", "budget", "status", "NaN", "wrong branch", "worst case"];
   const inside = REGIONS.map(region => [region, own.filter(r => regionOf(r) === region)])
     .filter(([region, rows]) => rows.length && (!chosen.region || chosen.region === region.key)).map(([region, rows]) => regionRows(region, rows));
-  const ns = latencyOf(own[0]), title = `${operation} of ${subject} in ${chosen.scalar}${ns ? `, ${short(ns)} ns a call` : ""}`;
-  line.after(element("tr", {class: "detail"}, element("td", {colspan: String(span)}, element("div", {class: "cell-detail"},
+  const ns = latencyOf(own[0]), cliff = cliffsOf(own[0]).length ? ", with a cliff: a band with a hundred times the error of others" : "";
+  const title = `${operation} of ${subject} in ${scalar}${ns ? `, ${short(ns)} ns a call` : ""}${cliff}`;
+  const worst = inside.find(i => i.row === worstOf(inside.map(j => j.row))), detail = element("div", {class: "cell-detail"},
     element("div", {class: "scroll", tabindex: "0", role: "region", "aria-label": title}, element("table", {}, element("caption", {}, title),
-      element("thead", {}, element("tr", {}, ...heads.map(h => element("th", {scope: "col"}, h)))), element("tbody", {}, ...inside.flatMap(i => i.lines))))))));
-  const worst = inside.find(i => i.row === worstOf(inside.map(j => j.row)));
-  worst?.toggle.click();
+      element("thead", {}, element("tr", {}, ...heads.map(h => element("th", {scope: "col"}, h)))), element("tbody", {}, ...inside.flatMap(i => i.lines)))));
+  const {block, property} = worst.row, block_ = own.filter(r => r.block === block && r.property === property);
+  if (block_.some(onAxis)) detail.prepend(element("figure", {}, element("figcaption", {}, caption(block_)), legend(block_, chosen.statistics), charts(block_, chosen.statistics)));
+  const line = button.closest("tr");
+  line.after(element("tr", {class: "detail"}, element("td", {colspan: String(line.children.length)}, detail)));
+  worst.toggle.click();
 }
 
-// A cell: seven small boxes with whole digits, or the one of the chosen region; below them what else happened.
-function digitsCell(operation, subject, own) {
-  const boxes = element("span", {class: "boxes", "aria-hidden": "true"}), spoken = [];
-  for (const region of REGIONS.filter(r => !chosen.region || r.key === chosen.region)) {
-    const rows = own.filter(r => regionOf(r) === region);
-    if (!rows.length) { boxes.append(element("i", {class: "none"}, "·")); continue; }
-    const row = worstOf(rows), bad = rows.some(r => r.status === "fail"), judged = bad || rows.some(r => r.status === "pass");
-    const text = notFinite(row) ? "N" : row.wrong_branch > 0 ? "B" : chosen.region ? digitsKept(row).toFixed(1) : String(Math.floor(digitsKept(row) + .05));
-    boxes.append(element("i", {class: bad ? "fail" : judged ? "pass" : "open", title: `${region.name}: ${errorWords(row)}`}, text));
-    spoken.push(`${region.name}: ${bad ? "over budget, " : ""}${errorWords(row)}`);
-  }
-  const bad = own.some(r => r.status === "fail"), ns = latencyOf(own[0]);
-  const nan = sum(own, "not_finite"), branch = sum(own, "wrong_branch"), cliff = cliffsOf(own[0]);
-  const happened = [...cliff.length ? ["cliff"] : [], ...nan ? [`${nan} NaN`] : [], ...branch ? [`${branch} branch`] : []];
-  const time = ns ? `${short(ns)} ns` : "", notes = [...happened, time];
-  return element("button", {type: "button", class: `digits ${bad ? "fail" : "pass"}`, "aria-expanded": "false",
-    "data-operation": operation, "data-subject": subject},
-  element("span", {class: "spoken"}, `${operation}, ${subject}: ${bad ? "fails" : "no failure"}. ${[...spoken, ...notes].join("; ")}`), boxes, element("span", {class: "notes", "aria-hidden": "true"},
-    element("b", {}, [...bad ? ["✗"] : [], ...happened].join(" · ")), happened.length && ns ? " · " : " ", time));
+// What a cell says to those who do not see it.
+function cellWords(button) {
+  const own = rowsOf(button), parts = REGIONS.map(region => [region, own.filter(r => regionOf(r) === region)]).filter(([, rows]) => rows.length)
+    .map(([region, rows]) => `${region.name}: ${rows.some(r => r.status === "fail") ? "over budget, " : ""}${errorWords(worstOf(rows))}`);
+  const {operation, subject, scalar} = button.dataset, bad = own.some(r => r.status === "fail");
+  return `${operation}, ${subject} in ${scalar}: ${bad ? "fails" : "no failure"}. ${parts.join("; ")}`;
 }
 
+// Hides what is not chosen, and opens what the address says is open.
 function fillDigits() {
-  const home = document.getElementById("digits-table"), rows = visible().filter(r => r.count > (r.outside_domain ?? 0)
-    && (!chosen.region || regionOf(r).key === chosen.region));
-  const shown = subjects.filter(s => rows.some(r => r.subject === s)), body = element("tbody");
-  for (const operation of operations.filter(o => (!chosen.operation || o === chosen.operation) && rows.some(r => r.operation === o))) {
-    const line = element("tr", {}, element("th", {scope: "row"}, operation));
-    for (const s of shown) {
-      const own = rows.filter(r => r.subject === s && r.operation === operation);
-      if (!own.length) { line.append(element("td", {class: "absent"}, "–")); continue; }
-      const button = digitsCell(operation, s, own);
-      button.addEventListener("click", () => { openDigits(line, button, operation, s, own, shown.length + 1); writeState(); });
-      line.append(element("td", {}, button));
-    }
-    body.append(line);
+  const home = document.getElementById("digits-table"), at = REGIONS.findIndex(r => r.key === chosen.region);
+  const off = ({subject, scalar}) => chosen.hidden.has(subject) || (chosen.scalar && scalar && scalar !== chosen.scalar);
+  for (const old of home.querySelectorAll("tr.detail")) { forget(old); old.remove(); }
+  for (const list of home.querySelectorAll(".boxes")) for (const [i, box] of list.querySelectorAll("i").entries()) box.hidden = at >= 0 && i !== at;
+  for (const cell of home.querySelectorAll("[data-subject]:not(button)")) cell.hidden = off(cell.dataset);
+  for (const head of home.querySelectorAll("th[colspan]"))
+    head.colSpan = Math.max(1, home.querySelectorAll(`tr:nth-child(2) th[data-subject="${CSS.escape(head.dataset.subject)}"]:not([hidden])`).length);
+  for (const line of home.querySelectorAll("tbody tr")) {
+    const own = [...line.querySelectorAll("td:not([hidden]) button")];
+    line.hidden = Boolean(chosen.operation && line.dataset.operation !== chosen.operation) || !own.some(b => at < 0 || rowsOf(b).some(r => regionOf(r) === REGIONS[at]));
   }
-  const names = REGIONS.filter(r => !chosen.region || r.key === chosen.region).map(r => r.name).join(" | ");
-  home.replaceChildren(element("table", {}, element("caption", {}, `Digits that the worst case found keeps, ${chosen.scalar}: ${names}`),
-    element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "operation"),
-      ...shown.map(s => element("th", {scope: "col"}, swatch(s), ` ${s}`, chosen.region ? "" : element("span", {class: "boxes heads", "aria-hidden": "true"},
-        ...REGIONS.map(r => element("i", {title: r.name}, r.brief))))))), body));
-  const wanted = [...home.querySelectorAll("button.digits")].find(b => `${b.dataset.operation}:${b.dataset.subject}` === chosen.open);
-  if (wanted) wanted.click();
+  for (const button of home.querySelectorAll("button.digits")) button.setAttribute("aria-expanded", "false");
+  const wanted = [...home.querySelectorAll("tr:not([hidden]) td:not([hidden]) button.digits")].find(({dataset: d}) =>
+    `${d.operation}:${d.subject}` === chosen.open && (!chosen.in || d.scalar === chosen.in));
+  if (wanted) openDigits(wanted);
 }
+
+// A cell has the names of its row and its column.
+for (const line of document.querySelectorAll("#digits-table tbody tr")) {
+  const columns = document.querySelectorAll("#digits-table thead tr:nth-child(2) th");
+  for (const [i, cell] of line.querySelectorAll("td").entries()) {
+    const {subject, scalar} = columns[i].dataset, button = cell.firstElementChild;
+    Object.assign(cell.dataset, {subject, scalar});
+    if (!button) continue;
+    Object.assign(button.dataset, {operation: line.dataset.operation, subject, scalar});
+    button.setAttribute("aria-expanded", "false");
+    for (const box of button.children) box.setAttribute("aria-hidden", "true");
+    button.prepend(element("span", {class: "spoken"}, cellWords(button)));
+  }
+}
+document.getElementById("digits-table").addEventListener("click", event => {
+  const button = event.target.closest("button.digits");
+  if (button) { openDigits(button); writeState(); }
+});
+document.getElementById("digits-table").addEventListener("pointerover", event => {
+  if (event.target.matches(".digits i")) event.target.title = cellWords(event.target.parentElement);
+});

@@ -117,12 +117,11 @@ function swatch(subject) {
   return drawing(32, {d: "M0 6h32" + MARKERS[shape], style: `stroke: ${variable}; fill: ${variable}`, "stroke-width": 1.8});
 }
 
-function legend(rows, statistics, apart = false) {
+function legend(rows, statistics) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
   for (const s of subjects.filter(s => rows.some(r => r.subject === s)))
     list.append(element("li", {}, swatch(s), s));
-  list.append(element("li", {}, apart ? "thick line: 99 % of the cases are below it; dotted: median; single markers: worst found"
-    : statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).join(", ")));
+  list.append(element("li", {}, statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).join(", ")));
   const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name), largest = 10 ** ceilingOf(rows);
   if (rows.some(r => r.max_eps > largest)) above.unshift("worst inputs far above all others");
   if (above.length) list.append(element("li", {}, `at the top edge: ${above.join("; ")}`));
@@ -140,13 +139,13 @@ function spoken(rows, head) {
   return `Error in eps ${head}, log-log. Largest found: ${parts.join("; ")}.`;
 }
 
-function plot(rows, kind, y, statistics, foot, apart) {
+function plot(rows, kind, y, statistics, foot) {
   const {head, title, reverse} = KINDS[kind], x = horizontalAxis(rows);
   for (const t of x.ticks) t.upright = t.label.length > 3 && rows.some(r => isSlot(r) && slotName(r.band) === t.label);
   const ticks = source => ({minRotation: 0, callback: v => source.find(t => t.value === v && !t.upright)?.label ?? ""});
   const tooltip = {callbacks: {title: items => items.length ? `${items[0].raw.row.band}` : "", label: item => tip(item.raw)}};
   const holder = chartHolder(spoken(rows, head), 14, tooltip, () => ({
-    datasets: datasets(rows, x, y, statistics, apart), plugins: [furniture], pluginOptions: {furniture: {x, y, spans: budgetSpans(rows, x)}},
+    datasets: datasets(rows, x, y, statistics), plugins: [furniture], pluginOptions: {furniture: {x, y, spans: budgetSpans(rows, x)}},
     scales: {
       x: chartAxis(title, ticks(x.ticks), {type: "linear", reverse, min: x.min, max: x.max, afterFit: axis => { axis.height = foot; },
         afterBuildTicks: axis => setTicks(axis, roomy(x.ticks, x.max - x.min, axis.chart.width - 90).map(t => t.value))}),
@@ -165,7 +164,7 @@ function tip({row, statistic}) {
 }
 
 // The charts of rows of one scalar and one block of an operation, with one vertical range.
-function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"], apart = false) {
+function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"]) {
   const shown = kinds.map(k => [k, rows.filter(r => r.axis === k)]).filter(([, own]) => own.some(r => r.count > 0));
   const pair = element("div", {class: shown.length > 1 ? "pair" : "pair single"});
   const y = verticalAxis(shown.flatMap(([, own]) => own), statistics);
@@ -175,6 +174,6 @@ function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"], apart = f
   };
   const stacked = matchMedia("(max-width: 760px)").matches;  // side by side, both charts get the same height
   for (const [kind, own] of shown)
-    pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some)), apart));
+    pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some))));
   return pair;
 }

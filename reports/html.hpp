@@ -32,8 +32,23 @@ std::string text_of(const Json& row, const char* name);
 /// A verdict or status; "pass" and "fail" have colours.
 std::string status_text(const std::string& status);
 
+struct Looks;
+struct FirstScreen;
+
+/// The verdict on all, and one line for each library.
+std::string verdict_lines(const Looks& looks, const FirstScreen& screen);
+
+/// The three questions, with their answers and pictures.
+std::string answers_section(const FirstScreen& screen);
+
+/// A card for each finding, as the terminal tells it; "" if there are none.
+std::string findings_section(const Looks& looks);
+
+/// The table of digits: operations by libraries and scalars, with a box for each region of the angle.
+std::string digits_table(const Looks& looks);
+
 /// Section "What accuracy costs in time": advice, the price of each further digit, every row.
-std::string cost_section(const Merged& merged);
+std::string cost_section(const Looks& looks);
 
 /// Section "Scalar coefficients: every float".
 std::string sweep_section(const Merged& merged);
@@ -55,9 +70,10 @@ std::string scenes_section(const Merged& merged);
 Json packed(const Json& value);
 
 /// What the page shows of the content of report.json: errors with four digits; the worst input of a subject, scalar and
-/// operation in each region of the angle, of its first 24 numbers; times over all inputs. Each row gets the key of its
-/// region, and its worst case `count`, how many numbers the input has, and `shown`, whether it is the worst one there.
-Json page_numbers(Json numbers);
+/// operation in each region of the angle, of its first 16 numbers; times over all inputs. Each row gets the key of its
+/// region and the digits that it loses, and its worst case `count`, how many numbers the input has, and `shown`, whether it is
+/// the worst one there. `looks` has the look of each library.
+Json page_numbers(Json numbers, const Looks& looks);
 
 /// The text compressed by zlib, in base64. The browser expands it; DecompressionStream("deflate") has been in every
 /// browser since 2023.

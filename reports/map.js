@@ -13,7 +13,7 @@ const weight = error => isWrong(error) ? 17 : Math.log10(Math.max(1, error ?? 1)
 function tellingMap() {
   const groups = new Map();
   for (const p of mapsOf) {
-    if (p.scalar !== chosen.scalar || chosen.hidden.has(p.subject) || (chosen.operation && p.operation !== chosen.operation)) continue;
+    if (p.scalar !== drawnScalar() || chosen.hidden.has(p.subject) || (chosen.operation && p.operation !== chosen.operation)) continue;
     const key = `${p.operation}, ${p.block}`, group = groups.get(key) ?? groups.set(key, new Map()).get(key), old = group.get(p.subject);
     group.set(p.subject, !old ? p : {...p, errors: p.errors.map((row, i) => row.map((e, j) => heavier(e, old.errors[i][j])))});
   }
@@ -79,7 +79,7 @@ function mapLegend() {
 function fillMap() {
   const home = document.getElementById("map-panels"), panels = tellingMap(), title = document.getElementById("map-what");
   document.getElementById("map").hidden = !mapsOf.length;
-  title.textContent = panels.length ? `${panels[0].operation}, ${panels[0].block}, ${chosen.scalar}.` : "This operation has no translation, or nobody was asked for it.";
+  title.textContent = panels.length ? `${panels[0].operation}, ${panels[0].block}, ${drawnScalar()}.` : "This operation has no translation, or nobody was asked for it.";
   const said = element("p", {class: "note", "aria-live": "off"}, panels.length ? "Point at a panel to read one cell." : "");
   home.replaceChildren(...panels.length ? [mapLegend()] : [], element("div", {class: "maps"}, ...panels
     .sort((a, b) => subjects.indexOf(a.subject) - subjects.indexOf(b.subject)).map(p => mapPanel(p, text => { said.textContent = text; }))), said);

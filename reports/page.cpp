@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 #include <reports/summary.hpp>
 #include <stdexcept>
 
@@ -30,37 +31,10 @@ std::string cases_text(const Json& record) {
                      total.is_number() ? fmt::format(", {} in all", dumped(total)) : "");
 }
 
-/// What a campaign printed of its findings.
-std::string findings(const Merged& merged) {
-  std::string out;
-  std::size_t count = 0;
-  for (const Json& record : merged.records)
-    for (const Json& finding : list_in(record, "findings"))
-      out += fmt::format("<pre class=\"finding\">{}</pre>\n", text_of(finding, "text")), ++count;
-  return count == 0 ? ""
-                    : fmt::format(
-                          "<details class=\"campaign\"><summary>Findings: {}, the worst first</summary>\n"
-                          "{}</details>\n",
-                          count, out);
-}
-
-std::string verdict_section(const Merged& merged) {
-  const std::string verdict_word = verdict(merged);
-  const char *label = "INCOMPLETE", *meaning =
-                                        "A run was interrupted, or not all was measured that must be: see "
-                                        "Not measured, and the sections of what "
-                                        "was measured.";
-  if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
-  if (verdict_word == "fail")
-    label = "FAIL",
-    meaning =
-        "At least one library is wrong, or worse in another environment or over a long horizon; each has its "
-        "own verdict below.";
+/// The campaigns in figures.
+std::string campaign_section(const Merged& merged) {
   const auto all = standings(merged);
-  std::string out = fmt::format(
-      "<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n{}<details class=\"campaign\">"
-      "<summary>Campaign and standings in figures</summary>\n<dl class=\"summary\">\n",
-      verdict_word, label, meaning, findings(merged));
+  std::string out = "<dl class=\"summary\">\n";
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   };
@@ -87,13 +61,8 @@ std::string verdict_section(const Merged& merged) {
                    merged.results.size(),
                    std::count_if(merged.results.begin(), merged.results.end(),
                                  [](const Json& row) { return row["status"] == "fail"; })));
-  int hard = 0, hard_failed = 0;
-  for (const Json& r : merged.records)
-    for (const Json& row : list_in(r, "hard_cases"))
-      for (const Json& cell : row["cells"]) ++hard, hard_failed += cell["failed"].get<bool>();
-  if (hard > 0)
-    item("hard cases",
-         fmt::format("{} cells, one for each case × law × subject × scalar; {} failed", hard, hard_failed));
+  if (const std::string hard = hard_words(hard_cases(merged)); !hard.empty())
+    item("hard cases", hard + ", each counted once for each subject and scalar");
   std::map<std::string, Distinct<std::string>> cliffs;  // by subject
   for (const Json& r : merged.records)
     for (const Json& c : list_in(r, "cliffs"))
@@ -102,21 +71,35 @@ std::string verdict_section(const Merged& merged) {
                                              text_of(c, "block"), text_of(c, "band"), text_of(c, "scalar")));
   for (const auto& [subject, where] : cliffs)
     item("cliffs", fmt::format("<b>{}</b>: {}", escaped(subject), fmt::join(where, ", ")));
-  out += "</dl>";
+  return out + "</dl>\n";
+}
+
+/// What the reader must know before the verdicts.
+std::string warnings(const Merged& merged) {
+  std::string out;
   int control_rows = 0, control_failed = 0;
-  for (const Standing& s : all)
+  for (const Standing& s : standings(merged))
     if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.failed;
-  if (control_failed > 0)
-    out +=
-        "<p><b>textbook</b> is the positive control: it implements the closed forms of textbooks "
-        "with one cutoff for small angles. It is expected to fail, and it does.</p>\n";
-  out += "</details>\n";
   if (control_rows > 0 && control_failed == 0)
     out +=
         "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
         "expected to fail and did not: do not trust this report.</p>\n";
+  if (verdict(merged) == "incomplete")
+    out +=
+        "<p class=\"verdict incomplete\"><strong>INCOMPLETE</strong> A run was interrupted, or not all was "
+        "measured "
+        "that must be: see <a href=\"#coverage\">Not measured</a>, and the sections of what was "
+        "measured.</p>\n";
   if (merged.results.empty()) out += "<p class=\"verdict incomplete\">The records hold no results.</p>\n";
   return out;
+}
+
+/// "liecheck 0.4.0, seed 42, 500 cases for each property × subject × scalar" of the first record.
+std::string masthead(const Merged& merged) {
+  const Json& r = merged.records.front();
+  return fmt::format(
+      "liecheck {} accuracy report · seed {} · {}{}", text_of(r, "version"), dumped(r["seed"]), cases_text(r),
+      merged.records.size() > 1 ? fmt::format(" · and {} further campaigns", merged.records.size() - 1) : "");
 }
 
 std::string standings_section(const Merged& merged) {
@@ -152,6 +135,24 @@ std::string offenders_section(const Merged& merged) {
                {"subject", "scalar", "operation", "block", "band", "largest found (a lower bound)", "budget",
                 "replay"},
                rows, true);
+}
+
+/// The hard cases of each subject and scalar by verdict.
+std::string stability_counts(const Merged& merged) {
+  std::map<std::pair<std::string, std::string>, std::vector<HardCase>> columns;
+  for (const HardCase& c : hard_cases(merged)) columns[{c.subject, c.scalar}].push_back(c);
+  if (columns.empty()) return "";
+  std::vector<Cells> rows;
+  for (const auto& [column, own] : columns) {
+    Cells row = {escaped(column.first + " in " + column.second), std::to_string(own.size())};
+    for (std::size_t v = 0; v < hard_verdicts.size(); ++v)
+      row.push_back(std::to_string(std::ranges::count(own, v, &HardCase::verdict)));
+    row.push_back(std::to_string(std::ranges::count(own, true, &HardCase::failed)));
+    rows.push_back(row);
+  }
+  Cells heads = {"subject", "cases"};
+  heads.insert(heads.end(), hard_verdicts.begin(), hard_verdicts.end()), heads.push_back("failed");
+  return table("Hard cases by verdict: the worst of a case’s laws counts", heads, rows, true);
 }
 
 /// "delta: 6 [m, rad], body axes", one line for each part of an operation's arguments or results.
@@ -215,9 +216,13 @@ std::string definitions_section(const Merged& merged) {
 
 std::string coverage_section(const Merged& merged) {
   Distinct<Cells> rows;
-  for (const Standing& s : standings(merged))
-    for (const std::string& name : s.not_offered)
-      rows.add({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
+  for (const Standing& s : standings(merged)) {
+    Cells names;
+    for (const std::string& name : s.not_offered) names.push_back(escaped(name));
+    if (!names.empty())
+      rows.add(
+          {escaped(s.subject), escaped(s.scalar), fmt::format("{}", fmt::join(names, ", ")), "not offered"});
+  }
   for (const Json& record : merged.records)
     for (const Json& entry : list_in(record, "not_measured"))
       rows.add({text_of(entry, "subject"), text_of(entry, "scalar"), text_of(entry, "property"),
@@ -261,21 +266,29 @@ std::string files(std::initializer_list<const char*> names) {
 }  // namespace
 
 std::string page(const Merged& merged, const Json& numbers) {
+  const Looks looks(merged);
+  const FirstScreen screen = first_screen(looks);
   const std::map<std::string_view, std::string> slots = {
-      {"style", files({"page.css", "stability.css", "scenes.css"})},
+      {"style", files({"picture.css", "page.css", "stability.css", "scenes.css"})},
       {"chart library", files({"chart.min.js"})},
       {"scripts",
-       files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js",
-              "page.js", "map.js", "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
-      {"numbers", compressed(dumped(packed(page_numbers(numbers))))},
+       files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "page.js",
+              "digits.js", "map.js", "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
+      {"numbers", compressed(dumped(packed(page_numbers(numbers, looks))))},
       {"verdict word", verdict(merged)},
-      {"verdict", verdict_section(merged)},
+      {"masthead", masthead(merged)},
+      {"verdict", warnings(merged) + verdict_lines(looks, screen)},
+      {"answers", answers_section(screen)},
+      {"findings", findings_section(looks)},
+      {"digits", digits_table(looks)},
+      {"stability", stability_counts(merged)},
+      {"campaign", campaign_section(merged)},
       {"standings", standings_section(merged)},
       {"offenders", offenders_section(merged)},
       {"sweep", sweep_section(merged)},
       {"bounds", bounds_section(merged)},
       {"measurements", measurement_sections(merged)},
-      {"cost", cost_section(merged)},
+      {"cost", cost_section(looks)},
       {"scenes", scenes_section(merged)},
       {"definitions", definitions_section(merged)},
       {"coverage", coverage_section(merged)},

@@ -18,15 +18,15 @@ const numbers = unpacked(JSON.parse(await expanded(document.getElementById("numb
 const results = numbers.results;
 const unique = values => [...new Set(values)];
 const subjects = unique(results.map(r => r.subject));
-// All names that have a colour: those of the results, then those of the times only.
-const named = unique([...subjects, ...numbers.records.flatMap(r => r.cost?.rows ?? []).map(r => r.subject).filter(s => s !== "call" && !s.includes("@"))]);
 const scalars = unique(results.map(r => r.scalar));
 const operations = unique(results.map(r => r.operation));
 const find = (list, matches) => numbers.records.flatMap(r => r[list]).find(matches);
 
-const chosen = {scalar: "", operation: "", region: "", open: "", hidden: new Set(), statistics: ["max_eps", "p99_eps", "median_eps"]};
+const chosen = {scalar: "", operation: "", region: "", open: "", in: "", hidden: new Set(), statistics: ["max_eps", "p99_eps", "median_eps"]};
 
-const visible = () => results.filter(r => r.scalar === chosen.scalar && !chosen.hidden.has(r.subject));
+// The scalar of charts, which show one: the chosen one, or double.
+const drawnScalar = () => chosen.scalar || (scalars.includes("double") ? "double" : scalars[0]);
+const visible = () => results.filter(r => r.scalar === drawnScalar() && !chosen.hidden.has(r.subject));
 
 function groups(rows) {  // lists of rows with equal operation, block and property, in the order of the records
   const found = new Map();
@@ -37,13 +37,12 @@ function groups(rows) {  // lists of rows with equal operation, block and proper
   return [...found.values()];
 }
 
-function caption(rows, brief = false) {
+function caption(rows) {
   const {operation, block, property} = rows[0];
   const o = find("operations", e => e.operation === operation), p = find("properties", e => e.property === property);
   // Older records define a block once for all operations.
   const b = find("blocks", e => e.block === block && (e.operation ?? operation) === operation);
   const unit = b && b.denominator === "absolute" && b.unit !== "1" ? `, in eps · ${b.unit}` : "";
-  if (brief) return [b && `Error: ${b.error}, over ${b.denominator}${unit}.`, p && `Law ${property}.`].filter(Boolean).join(" ");
   return [o && `${[o.definition, o.frame].filter(Boolean).join("; ")}.`, b && `Error: ${b.error}, denominator: ${b.denominator}${unit}.`,
     p ? `Law ${property}: ${p.law}.` : `Law ${property}.`].filter(Boolean).join(" ").replace(/\.\./g, ".");
 }
@@ -63,7 +62,7 @@ const selected = () => visible().filter(r => !chosen.operation || r.operation ==
   .filter(r => !chosen.region || r.region === chosen.region);
 
 function fillBlocks() {
-  document.getElementById("selection").textContent = `Shown: ${chosen.scalar}; ${chosen.operation || "all operations"}; `
+  document.getElementById("selection").textContent = `Shown: ${drawnScalar()}; ${chosen.operation || "all operations"}; `
     + subjects.filter(s => !chosen.hidden.has(s)).join(", ") + ".";
   const home = document.getElementById("figures");
   forget(home);
@@ -120,7 +119,7 @@ function whenChanged(form, fill) {
 function fillControls() {
   const form = document.getElementById("controls");
   form.append(
-    choice("scalar", "scalar", scalars.map(s => [s, s]), chosen.scalar),
+    choice("scalar", "scalar", [["", "all"], ...scalars.map(s => [s, s])], chosen.scalar),
     choice("operation", "operation", [["", "all"], ...operations.map(o => [o, o])], chosen.operation),
     choice("region", "region", [["", "all"], ...REGIONS.map(r => [r.key, r.name])], chosen.region),
     boxes("subject", "libraries", subjects.map(s => [s, s]), chosen.hidden),
@@ -131,7 +130,6 @@ function fillControls() {
     chosen.hidden = new Set(subjects.filter(s => !data.getAll("subject").includes(s)));
     chosen.statistics = Object.keys(STATISTICS).filter(s => data.getAll("statistic").includes(s));
     writeState();
-    fillCover();
     fillDigits();
     fillMap();
     fillFigures();

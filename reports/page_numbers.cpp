@@ -1,38 +1,22 @@
 // The figures that the page shows: those of report.json, without what would make the page large and nobody reads there.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 #include <reports/summary.hpp>
 #include <set>
-#include <string_view>
 #include <unordered_map>
 
 namespace liecheck::reports {
 namespace {
 
-constexpr std::size_t most_inputs = 24;  ///< numbers of a worst input; that of a tree has hundreds
-
-/// Seven regions of the angle; page_numbers() names that of each row.
-std::string_view region_of(const Json& row) {
-  const std::string band = row["band"];
-  const double low = row["low"].is_number() ? row["low"].get<double>() : 0,
-               high = row["high"].is_number() ? row["high"].get<double>() : 0;
-  if (row["axis"] == "theta") return high <= 1.001e-7 ? "zero" : high <= 1.001e-2 ? "small" : "moderate";
-  if (band.starts_with("generic")) return "moderate";
-  if (row["axis"] == "pi_minus_theta") return low >= 0.999e-7 ? "near-pi" : "pi";
-  return band == "beyond pi" || band == "near 2pi k" || band == "huge" ? "beyond" : "all";
-}
-
-/// Larger is worse: failing rows first, then by outcome, then by the digits lost.
-double severity(const Json& row) {
-  const double lost = judged(row);
-  return (row["status"] == "fail" ? 1e6 : 0) + (row["not_finite"] > 0 || !std::isfinite(lost) ? 3e3 : 0) +
-         (row["wrong_branch"] > 0 ? 2e3 : 0) + (lost > 1 && std::isfinite(lost) ? std::log10(lost) : 0);
-}
+constexpr std::size_t most_inputs = 16;          ///< numbers of a worst input; that of a tree has hundreds
+constexpr std::size_t longest_expression = 120;  ///< of a hard case; longer ones are the numbers of its input
 
 /// All fractions with four digits; a chart or a table shows three.
 void shorten(Json& value) {
@@ -45,15 +29,16 @@ void shorten(Json& value) {
 /// The cell of the page to which a row belongs.
 std::string cell_of(const Json& row) {
   return fmt::format("{}\n{}\n{}\n{}", text_of(row, "subject"), text_of(row, "scalar"),
-                     text_of(row, "operation"), region_of(row));
+                     text_of(row, "operation"), regions[region_of(row)].key);
 }
 
-void shorten_results(Json& results) {
+void shorten_results(Json& results, const Digits& digits) {
   const std::vector<std::size_t> worst = worst_rows(results);
   const std::set<std::size_t> shown(worst.begin(), worst.end());
   for (std::size_t i = 0; i < results.size(); ++i) {
     Json& row = results[i];
-    row["region"] = region_of(row);
+    row["region"] = regions[region_of(row)].key;
+    row["lost"] = std::round(100 * digits.lost(row)) / 100;
     row.erase("reason");
     for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) shorten(row[name]);
     if (!has_worst(row)) continue;
@@ -67,6 +52,19 @@ void shorten_results(Json& results) {
     } else if (w["input"].size() > most_inputs) {
       w["input"].erase(w["input"].begin() + most_inputs, w["input"].end());
     }
+  }
+}
+
+/// The script knows how a replay line follows from the input, and the input stands below an expression.
+void shorten_hard_case(Json& hard) {
+  if (hard["expression"].get_ref<const std::string&>().size() > longest_expression) hard["expression"] = "";
+  for (Json& cell : hard["cells"]) {
+    shorten(cell["error"]), shorten(cell["kappa"]);
+    const auto input = hard["input"][cell["scalar"].get<std::string>()].get<std::vector<std::string>>();
+    if (cell["replay"] == fmt::format("liecheck replay raw.{}.{}.{}.none.{}",
+                                      hard["property"].get<std::string>(), cell["subject"].get<std::string>(),
+                                      cell["scalar"].get<std::string>(), fmt::join(input, ",")))
+      cell["replay"] = "";
   }
 }
 
@@ -85,8 +83,9 @@ std::vector<std::size_t> worst_rows(const Json& results) {
   return rows;
 }
 
-Json page_numbers(Json numbers) {
-  shorten_results(numbers["results"]);
+Json page_numbers(Json numbers, const Looks& looks) {
+  shorten_results(numbers["results"], looks.digits);
+  numbers["looks"] = looks.of;
   for (Json& record : numbers["records"]) {
     if (record.contains("cost"))
       for (Json& row : record["cost"]["rows"]) {
@@ -95,8 +94,7 @@ Json page_numbers(Json numbers) {
       }
     if (record.contains("scenes")) shorten(record["scenes"]);
     if (record.contains("hard_cases"))
-      for (Json& hard : record["hard_cases"])
-        for (Json& cell : hard["cells"]) shorten(cell["error"]), shorten(cell["kappa"]);
+      for (Json& hard : record["hard_cases"]) shorten_hard_case(hard);
   }
   return numbers;
 }

@@ -74,6 +74,7 @@ class Distinct {
     if (known_.insert(item).second) list_.push_back(item);
   }
   bool empty() const { return list_.empty(); }
+  std::size_t size() const { return list_.size(); }
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
   operator const std::vector<T>&() const { return list_; }

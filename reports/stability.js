@@ -22,7 +22,8 @@ function hardCases() {
     for (const cell of row.cells) {
       const key = `${cell.subject} ${cell.scalar}`, own = cases.get(row.name).columns;
       if (!own.has(key)) own.set(key, []);
-      own.get(key).push({...cell, property: row.property, input: row.input[cell.scalar]});
+      const input = row.input[cell.scalar], replay = cell.replay || `liecheck replay raw.${row.property}.${cell.subject}.${cell.scalar}.none.${input.join(",")}`;
+      own.get(key).push({...cell, property: row.property, input, replay});
     }
   }
   for (const c of cases.values()) for (const own of c.columns.values()) own.sort((a, b) => rankOf(b) - rankOf(a));
@@ -38,21 +39,6 @@ function stabilityColumns(cases) {
 }
 
 const mark = (verdict, extra = "") => element("span", {class: `mark ${verdict.name.replace(" ", "-")}`}, verdict.mark + extra);
-
-function stabilityCounts(cases, columns) {
-  const body = element("tbody");
-  for (const {key, subject, scalar} of columns) {
-    const own = cases.map(c => c.columns.get(key)?.[0]).filter(Boolean);
-    body.append(element("tr", {}, element("th", {scope: "row"}, `${subject} in ${scalar}`), number(String(own.length)),
-      ...VERDICTS.map(v => number(String(own.filter(c => c.verdict === v.name).length))),
-      number(String(own.filter(c => c.failed).length))));
-  }
-  const heads = ["subject", "cases", ...VERDICTS, "failed"].map(v =>
-    element("th", {scope: "col"}, ...(v.name ? [mark(v), ` ${v.name}`] : [v])));
-  return element("div", {class: "scroll dense", tabindex: "0", role: "region", "aria-label": "Verdicts by subject"},
-    element("table", {class: "counts"}, element("caption", {}, "Hard cases by verdict: the worst of a case’s laws counts"),
-      element("thead", {}, element("tr", {}, ...heads)), body));
-}
 
 function cellDetail(cell) {
   const rule = cell.rule === "excess" ? "eps · κ" : "eps", verdict = verdictOf(cell);
@@ -80,7 +66,7 @@ function openCell(row, hard, column, button, span) {
   row.after(element("tr", {class: "detail"}, element("td", {colspan: String(span)}, element("div", {class: "cell-detail"},
     element("h3", {}, `${hard.name} on ${column.subject} in ${column.scalar}`),
     element("p", {}, `${hard.reason}. Class: ${hard.class}. Origin: ${hard.origin}.`),
-    element("p", {}, element("code", {}, hard.expression)), ...hard.columns.get(column.key).map(cellDetail)))));
+    ...hard.expression ? [element("p", {}, element("code", {}, hard.expression))] : [], ...hard.columns.get(column.key).map(cellDetail)))));
 }
 
 function caseRow(hard, columns) {
@@ -141,9 +127,8 @@ function fillStability() {
   const home = document.getElementById("stability-matrix"), cases = hardCases();
   if (!cases.length) return home.append("The records hold no hard cases.");
   const columns = stabilityColumns(cases), filter = {unstable: false, open: false, class: ""};
-  document.getElementById("stability-counts").append(stabilityCounts(cases, columns),
-    element("ul", {class: "legend"}, ...VERDICTS.map(v => element("li", {}, mark(v), `${v.name}: ${v.text}`)),
-      element("li", {}, "–: not offered, or not for this scalar")));
+  home.before(element("ul", {class: "legend"}, ...VERDICTS.map(v => element("li", {}, mark(v), `${v.name}: ${v.text}`)),
+    element("li", {}, "–: not offered, or not for this scalar")));
   const form = document.getElementById("stability-controls");
   form.append(choice("class", "class", [["", "all"], ...unique(cases.map(c => c.class)).map(c => [c, c])], ""),
     ...[["unstable", "only unstable rows"], ["open", "every class open"]].map(([name, label]) =>

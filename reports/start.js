@@ -3,9 +3,6 @@
 if (results.length) {
   readState();
   fillControls();
-  fillSentences(document.getElementById("sentences"));
-  fillAnswers(document.getElementById("answers"));
-  fillCover();
   fillDigits();
   fillMap();
   fillFigures();
@@ -15,9 +12,13 @@ if (results.length) {
 }
 for (const title of document.querySelectorAll("main h2")) {  // a link to itself beside each heading
   const section = title.closest("section");
-  if (section.querySelector("a.anchor")) continue;
   const link = anchorOf(section.id, title.textContent), summary = title.closest("summary");
   summary ? summary.parentElement.before(link) : title.append(link);  // a summary is a button: no link inside it
+}
+for (const line of document.querySelectorAll(".finding code.replay")) {
+  const button = element("button", {type: "button", class: "copy", "aria-label": `Copy ${line.textContent}`}, "copy");
+  button.addEventListener("click", () => copy(line.textContent, button));
+  line.after(button);
 }
 document.documentElement.dataset.filled = "yes";
 window.addEventListener("beforeprint", toPaper);
@@ -30,7 +31,7 @@ document.addEventListener("click", event => {  // a link to a heading keeps what
   goTo(at);
 });
 window.addEventListener("hashchange", () => {
-  if (results.length) { readState(); setControls(); fillCover(); fillDigits(); fillMap(); fillFigures(); }
+  if (results.length) { readState(); setControls(); fillDigits(); fillMap(); fillFigures(); }
   goTo(fragment().get("at"));
 });
 goTo(fragment().get("at"));

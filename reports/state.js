@@ -6,19 +6,20 @@ const fragment = () => location.hash.includes("=") ? new URLSearchParams(locatio
 
 function readState() {
   const state = fragment(), one = (name, known) => known.includes(state.get(name)) ? state.get(name) : "";
-  chosen.scalar = one("scalar", scalars) || (scalars.includes("double") ? "double" : scalars[0]);
+  chosen.scalar = one("scalar", scalars);
   chosen.operation = one("operation", operations);
   chosen.region = one("region", REGIONS.map(r => r.key));
+  chosen.in = one("in", scalars);
   chosen.hidden = new Set(state.getAll("without").filter(s => subjects.includes(s)));
   const [operation, subject] = (state.get("open") ?? "").split(":");
   chosen.open = operations.includes(operation) && subject ? `${operation}:${state.get("open").slice(operation.length + 1)}` : "";
 }
 
 function writeState(at = fragment().get("at")) {
-  const state = new URLSearchParams({scalar: chosen.scalar});
-  for (const name of ["operation", "region", "open"]) if (chosen[name]) state.set(name, chosen[name]);
+  const state = new URLSearchParams();
+  for (const name of ["scalar", "operation", "region", "open", "in"]) if (chosen[name]) state.set(name, chosen[name]);
   for (const s of chosen.hidden) state.append("without", s);
-  if (at) state.set("at", at);
+  state.set("at", at || "digits");
   history.replaceState(null, "", `#${state}`);
 }
 

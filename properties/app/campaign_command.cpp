@@ -28,7 +28,6 @@
 #include <support/terminal.hpp>
 #include <support/text.hpp>
 #include <tuple>
-#include <utility>
 
 namespace liecheck::properties {
 
@@ -250,18 +249,19 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
     laws.insert(series->property), scalars.insert(series->scalar);
     whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
   }
-  std::size_t cells = 0, failing = 0;
+  std::map<std::tuple<const HardCase*, std::string, std::string>, bool> cases;  // whether a law fails
   for (const HardRow& row : hard_cases)
-    for (const HardCell& cell : row.cells) ++cells, failing += cell.failed || cell.open;
+    for (const HardCell& c : row.cells) cases[{row.entry, c.subject, c.scalar}] |= c.failed || c.open;
+  const auto failing = std::ranges::count_if(cases, [](const auto& c) { return c.second; });
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
       laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
   const char* const verb = failing == 1 ? "fails or has" : "fail or have";
-  if (cells) say("; {} hard cases, of which {} {} no verdict", cells, failing, verb);
+  if (!cases.empty()) say("; {} hard cases, of which {} {} no verdict", cases.size(), failing, verb);
   say("\n");
 }
 
-/// Prints the verdict, the findings, how the adapters' conventions and choices differ, and what was measured; if verbose, the details too. Returns the verdict's exit code.
+/// Prints the verdict, the findings, how conventions differ, what was measured and, if verbose, details; returns the exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const ToldFindings& told,
                    const CampaignFlags& f, const Differences& differ) {
   std::set<std::string> subjects;

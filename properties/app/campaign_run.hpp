@@ -61,6 +61,8 @@ void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
 /// The record of a campaign with the numbers of its worst cases and the maps of the error.
 nlohmann::json full_record_of(const StoredRun& run);
 
+void add_findings(nlohmann::json& record, const ToldFindings& findings);
+
 /// Writes the record of a campaign with its hard cases, unless `file` is empty.
 void write_campaign_record(const std::string& file, const StoredRun& run,
                            const std::vector<HardRow>& hard_cases, const ToldFindings& findings = {});

@@ -223,8 +223,11 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
-/// Adds the subjects of adapters, and those of liecheck beside them if no other subject was selected.
+/// Adds the subjects of adapters, and the forms of add_forms() beside them if no other subject was selected.
 void add_subjects(CostOptions& options, const std::vector<std::string>& adapters);
+/// Adds the textbook and liecheck in each precision, in the operations that the subjects offer: what a formula can reach,
+/// beside one library.
+void add_forms(CostOptions& options);
 
 // A command is added to a program or to a group of commands, such as "scene".
 

@@ -13,6 +13,7 @@
 #include <support/say.hpp>
 #include <support/stop.hpp>
 #include <timing/cost.hpp>
+#include <tuple>
 
 namespace liecheck::properties {
 
@@ -81,6 +82,40 @@ void print_rows(const CostResult& r) {
   }
 }
 
+/// series:2 stands before series:10.
+bool is_before(const CostRow& a, const CostRow& b) {
+  const auto key = [](const CostRow& r) {
+    return std::tuple(r.subject.substr(0, r.subject.find(':')), r.subject.size(), r.subject);
+  };
+  return key(a) < key(b);
+}
+
+void print_curves(const CostResult& r) {
+  say("{}\nCorrect digits of the largest error found at angles below the head's [rad], a lower bound of the "
+      "error;\n"
+      "time of one call that waits for the one before, at all these angles.\n",
+      environment_line());
+  std::map<std::pair<std::string, std::string>, std::vector<CostRow>> curves;
+  for (const CostRow& row : r.rows)
+    if (row.subject != "call") curves[{row.operation, row.scalar}].push_back(row);
+  for (auto& [curve, rows] : curves) {
+    say("\n{:<32}{:>9}", fmt::format("{} {}", curve.first, curve.second), "[ns]");
+    for (const CostBand& b : r.options.bands()) say("{:>7g}", b.high);
+    say("\n");
+    std::ranges::sort(rows, is_before);
+    for (const CostRow& row : rows) {
+      const Ratio& time = row.sets.back().latency;
+      say("{:<32}{:>9}", row.subject,
+          time.processes ? number_text(time.median * r.machine.reference_ns) : "-");
+      for (std::size_t b = 0; b < r.options.bands().size(); ++b) {
+        const double error = error_of(row, row.sets[b]);
+        say("{:>7}", error > 0 ? fmt::format("{:.1f}", std::max(0.0, -std::log10(error))) : "all");
+      }
+      say("\n");
+    }
+  }
+}
+
 void print_header(const CostResult& r) {
   say("{}\n"
       "latency, throughput: processor time of a call in times of a reference loop, {:.4g} ns: the median\n"
@@ -129,6 +164,7 @@ std::optional<std::string> times_in_a_process(const CostOptions& o, double secon
   add("--op", o.operations), add("--subject", o.subjects), add("--scalar", o.scalars);
   add("--adapter", o.adapters);
   if (o.flags) arguments.push_back("--flags");
+  if (o.curve) arguments.push_back("--curve");
   // An adapter that hangs must not hang this program. A machine under load takes a few times as long.
   return output_of_own_process(std::move(arguments), stop_requested, 10 * seconds + 30);
 }
@@ -162,8 +198,12 @@ int run(const CostFlags& f) {
   const CostResult r = run_cost(options);
   do_both([&] { write_record_of(f.json, r); },
           [&] {
-            print_header(r);
-            print_rows(r);
+            if (r.options.curve) {
+              print_curves(r);
+            } else {
+              print_header(r);
+              print_rows(r);
+            }
             say("\n{} rows in {:.1f} s, seed {}; {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
                 steadiness(r.machine), r.complete ? "" : "; interrupted: only what was done");
           });
@@ -176,9 +216,15 @@ void add_subjects(CostOptions& o, const std::vector<std::string>& adapters) {
   if (adapters.empty()) return;
   const bool all = o.subjects.empty();
   o.subjects.insert(o.subjects.end(), adapters.begin(), adapters.end());
-  if (all)
-    for (const std::string& name : subject_names())
-      if (name == "liecheck" || name.starts_with("liecheck:")) o.subjects.push_back(name);
+  if (all) add_forms(o);
+}
+
+void add_forms(CostOptions& o) {
+  if (o.operations.empty()) o.operations = cost_operations_of(o.subjects);
+  for (const std::string& name : subject_names())
+    if ((name == "liecheck" || name == "textbook" || name.starts_with("liecheck:")) &&
+        std::ranges::count(o.subjects, name) == 0)
+      o.subjects.push_back(name);
 }
 
 CostResult run_cost(CostOptions options) {
@@ -201,7 +247,7 @@ Command cost_command(CLI::App& program) {
                            "measure time and error of each operation. Every subject gets the same inputs. "
                            "Exit code 0; 2 for bad input; 3 if stopped");
   CostOptions& o = a->options;
-  a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
+  const Flag operation = a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
   const Flag subject = a.list(
                  "--subject", o.subjects, "NAME",
                  "a subject, repeatable; default those of a campaign and liecheck's own variants, or the "
@@ -212,6 +258,10 @@ Command cost_command(CLI::App& program) {
              flags = a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags"),
              seed = a.seed(o.seed, "seed of the inputs"),
              whole = a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
+  const Flag curve =
+      a.toggle("--curve", o.curve,
+               "instead: error over the angle, and time, of textbook:CUTOFF, series:TERMS and liecheck");
+  curve.needs(operation);
   a.hidden_toggle("--times-only", a->times_only);
   const Flag json = a.json(a->json, "write times and errors to FILE");
   const Flag batches =
@@ -219,7 +269,8 @@ Command cost_command(CLI::App& program) {
                "instead: time batches of poses, and of states of the built-in quadruped, beside the loop "
                "over single ones "
                "and a copy of memory, in each set of instructions of the processor, in float and double");
-  for (const Flag& other : {subject, adapter, scalar, flags, seed, whole, json}) batches.excludes(other);
+  for (const Flag& other : {subject, adapter, scalar, flags, curve, seed, whole, json})
+    batches.excludes(other);
   for (const Flag& flag : a->batch.add(a)) flag.needs(batches);
   return a.runs(run);
 }

@@ -89,6 +89,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
     std::erase(times.subjects, "all");
     for (const std::string& adapter : times.adapters)
       add_subjects(times, {adapters::description_of(adapter)->name});
+    if (times.adapters.empty() && times.subjects.size() == 1) add_forms(times);
   }
   const bool timed = !f.no_cost && (everything || !f.selection.subjects.empty() || !times.adapters.empty());
   stop_on_signals();
@@ -105,6 +106,7 @@ fs::path run_campaign_of_report(const ReportFlags& f) {
     warn(fmt::format("wrong: {}: {}\n", call.subject, call.sentence));
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = full_record_of(run);
+  if (!stop_requested) add_findings(record, told_findings(run.result, hard_cases, false));
   add_hard_cases(record, hard_cases, run.result.incomplete);
   // The record is written after each part, so that whatever ends the program later does not lose it.
   write_record(file, record);

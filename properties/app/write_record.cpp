@@ -20,14 +20,18 @@ nlohmann::json full_record_of(const StoredRun& run) {
   return record;
 }
 
-void write_campaign_record(const std::string& file, const StoredRun& run,
-                           const std::vector<HardRow>& hard_cases, const ToldFindings& findings) {
-  if (file.empty()) return;
-  nlohmann::json record = full_record_of(run);
+void add_findings(nlohmann::json& record, const ToldFindings& findings) {
   for (std::size_t i = 0; i < findings.texts.size(); ++i)
     record["findings"].push_back({{"subject", findings.findings[i].subject},
                                   {"operation", findings.findings[i].operation},
                                   {"text", findings.texts[i]}});
+}
+
+void write_campaign_record(const std::string& file, const StoredRun& run,
+                           const std::vector<HardRow>& hard_cases, const ToldFindings& findings) {
+  if (file.empty()) return;
+  nlohmann::json record = full_record_of(run);
+  add_findings(record, findings);
   add_hard_cases(record, hard_cases, run.result.incomplete);
   write_record(file, record);
 }

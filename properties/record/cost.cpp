@@ -102,7 +102,7 @@ json record_of(const CostResult& r) {
           {"clock", "processor time of the thread"},
           {"no_counter", r.no_counter},
           {"environment", where},
-          {"bands", list_of(cost_bands, band_record)},
+          {"bands", list_of(r.options.bands(), band_record)},
           {"rows", row_records(r.rows, r.machine.reference_ns)}};
 }
 

@@ -12,7 +12,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <timing/bands.hpp>
 #include <timing/repetitions.hpp>
 #include <vector>
 
@@ -55,6 +57,8 @@ struct CostRow {
 /// result was not finite, on a wrong branch, refused or unresolved, and if a block has no error at all.
 /// Defects of norm and orthogonality are ignored, because the next operation removes them.
 double error_of(const CostRow& row);
+/// The same over the inputs of one set.
+double error_of(const CostRow& row, const CostSet& set);
 /// The block with the error that error_of() returns.
 std::string worst_block(const CostRow& row);
 
@@ -71,9 +75,13 @@ struct CostOptions {
   double seconds = 60;                          ///< approximate time for all timing
   std::size_t processes = 20, repetitions = 8;  ///< repetitions of each process
   std::size_t inputs_per_band = 256;
+  bool curve = false;  ///< error over the angle, of textbook:CUTOFF, series:TERMS and liecheck
   bool flags = false;  ///< also time liecheck@FLAGS: in double, compiled with other flags (kernels.hpp)
   /// What times_in_this_process() returns in a new process of the same options; nothing if it was stopped.
   std::function<std::optional<std::string>(double seconds)> times_in_a_process;
+  std::span<const CostBand> bands() const {
+    return curve ? std::span<const CostBand>(curve_bands) : cost_bands;
+  }
   std::atomic<bool>* stop = nullptr;  ///< once set, the run ends and returns what is done
   std::function<void(double share)> progress = [](double) {};
 };
@@ -93,6 +101,8 @@ CostResult measure_cost(const CostOptions& options);
 std::string times_in_this_process(const CostOptions& options);
 
 std::vector<std::string> cost_operations();
+/// Those that one of the subjects offers in double.
+std::vector<std::string> cost_operations_of(const std::vector<std::string>& subjects);
 /// The scalars that are timed, from the fewest to the most digits.
 std::vector<std::string> cost_scalars();
 /// The scalars of linked_wide_rows (rows.hpp): of the laboratory.

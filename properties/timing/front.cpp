@@ -17,9 +17,9 @@ double largest(const BlockErrors& b) {
 }
 
 /// The block with the largest error, and this error in eps.
-std::pair<std::string, double> worst(const CostRow& row) {
+std::pair<std::string, double> worst(const CostSet& set) {
   std::pair<std::string, double> all{"", -1};
-  for (const BlockErrors& b : row.sets.back().blocks)
+  for (const BlockErrors& b : set.blocks)
     if (!is_defect(b) && largest(b) > all.second) all = {b.block, largest(b)};
   return all;
 }
@@ -27,11 +27,15 @@ std::pair<std::string, double> worst(const CostRow& row) {
 }  // namespace
 
 double error_of(const CostRow& row) {
-  return std::max(0.0, worst(row).second * row.eps);
+  return error_of(row, row.sets.back());
+}
+
+double error_of(const CostRow& row, const CostSet& set) {
+  return std::max(0.0, worst(set).second * row.eps);
 }
 
 std::string worst_block(const CostRow& row) {
-  return worst(row).first;
+  return worst(row.sets.back()).first;
 }
 
 std::vector<int> dominators(const std::vector<CostRow>& rows, Ratio CostSet::*time) {

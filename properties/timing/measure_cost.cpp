@@ -4,6 +4,7 @@
 #include <adapters/sizes.hpp>
 #include <chrono>
 #include <cmath>
+#include <operations/list.hpp>
 #include <stdexcept>
 #include <subjects/subject_names.hpp>
 #include <support/names.hpp>
@@ -36,8 +37,10 @@ void merge_blocks(std::vector<BlockErrors>& all, const std::vector<BlockErrors>&
 
 namespace {
 
-/// By default the subjects of a campaign and liecheck's variants.
+/// By default the subjects of a campaign and liecheck's variants, or those of a curve.
 bool is_selected(const CostPlan& plan, const std::string& subject) {
+  if (plan.options.curve && plan.options.subjects.empty())
+    return subject == "liecheck" || subject.starts_with("textbook:") || subject.starts_with("series:");
   return plan.options.subjects.empty()
              ? subject.find(':') == std::string::npos || subject.starts_with("liecheck:")
              : plan.wants(plan.options.subjects, subject);
@@ -135,6 +138,19 @@ std::vector<std::string> cost_operations() {
   const Laws laws = make_properties(oracles::scalar_of<double>);
   SpatialSlots<double>::for_each([&](const Operation& operation) {
     if (law_of(operation, laws)) all.emplace_back(operation.name);
+  });
+  return all;
+}
+
+std::vector<std::string> cost_operations_of(const std::vector<std::string>& names) {
+  std::vector<std::string> all = cost_operations();
+  std::erase_if(all, [&](const std::string& name) {
+    return std::ranges::none_of(subjects(oracles::scalar_of<double>), [&](const Subject* s) {
+      return std::ranges::count(names, s->name) > 0 &&
+             std::ranges::any_of(all_operations(), [&](const Operation* o) {
+               return o->name == name && s->operations.has(*o);
+             });
+    });
   });
   return all;
 }

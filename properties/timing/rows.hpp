@@ -37,12 +37,12 @@ struct CostPlan {
 
 /// The inputs for every subject of a scalar: `each` inputs of every band, one band after another.
 template <class S>
-std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::uint64_t seed,
+std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, const CostOptions& options,
                                         std::size_t each) {
   std::vector<std::vector<S>> all;
-  for (std::size_t b = 0; b < cost_bands.size(); ++b)
+  for (std::size_t b = 0; b < options.bands().size(); ++b)
     for (std::size_t i = 0; i < each; ++i)
-      all.push_back(cost_input<S>(fields, cost_bands[b], Source({seed, b, i, 0x636f7374})));
+      all.push_back(cost_input<S>(fields, options.bands()[b], Source({options.seed, b, i, 0x636f7374})));
   return all;
 }
 
@@ -68,7 +68,7 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
                         const Property& law, const Operation& operation,
                         const std::vector<Offered<Input>>& all) {
   const std::vector<Field> fields = law.fields();
-  const auto inputs = cost_inputs<Input>(fields, plan.options.seed, each);
+  const auto inputs = cost_inputs<Input>(fields, plan.options, each);
   std::vector<std::vector<double>> numbers;
   for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
   // The inputs of all bands are shuffled, so that a processor cannot predict the next band.
@@ -90,17 +90,17 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
       for (const int i : {0, 1}) passes[i] = function_passes(signature, offered.function, made[i]);
     }
     // Batches and libraries compiled with other flags are timed on all bands together.
-    const bool by_band =
-        bands && (is_adapter || signature.latency) && row.subject.find('@') == std::string::npos;
+    const bool by_band = bands && !plan.options.curve && (is_adapter || signature.latency) &&
+                         row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     std::vector<TimedSet> timed;  // added to the plan with their row, or not at all
     const auto time = [&](std::size_t set, const Passes& all, std::size_t first, std::size_t n) {
       for (const auto what : {&CostSet::throughput, &CostSet::latency})
         timed.push_back({plan.rows.size(), set, what, all ? all(what, first, n) : Timed{}});
     };
-    for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
+    for (std::size_t b = 0; b < plan.options.bands().size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
-      CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
+      CostSet set{plan.options.bands()[b].name, each, {}, {}, 0, {}};
       if (plan.scored && offered.score)
         set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
       merge_blocks(mixed.blocks, set.blocks);

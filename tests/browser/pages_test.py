@@ -77,7 +77,8 @@ def make_report():
     liecheck("report", "record.json", "--out", "out")
     page = (FOLDER / "out/report.html").read_text()
     at = page.rindex("</script>")  # the last script is the module, whose names no other script can see
-    (FOLDER / "out/seen.html").write_text(page[:at] + "globalThis.unpackedNumbers = numbers; globalThis.unpacks = unpacked;\n" + page[at:])
+    (FOLDER / "out/seen.html").write_text(page[:at] + "globalThis.unpackedNumbers = numbers; globalThis.unpacks = unpacked;\n"
+                                           "globalThis.hardLines = () => hardCases().flatMap(c => [...c.columns.values()].flat().map(cell => cell.replay)).sort();\n" + page[at:])
     return json.loads((FOLDER / "out/report.json").read_text())
 
 
@@ -88,11 +89,12 @@ class Pages(unittest.TestCase):
         cls.browser = webdriver.Browser()
         cls.addClassCleanup(cls.browser.close)
 
-    def show(self, fragment="", width=1400, scheme="light", page=None):
+    def show(self, fragment="", width=1400, scheme="light", page=None, script=True):
+        self.browser.devtools("Emulation.setScriptExecutionDisabled", value=not script)
         self.browser.media(scheme=scheme)
         self.browser.size(width)
         self.browser.open(page or FOLDER / "out/report.html", fragment)
-        if not page:
+        if not page and script:
             self.run_until("return document.documentElement.dataset.filled === 'yes'")
 
     def run_until(self, script):
@@ -109,19 +111,20 @@ class Pages(unittest.TestCase):
                          "e.dispatchEvent(new Event('change', {bubbles: true}));", name, value)
 
     def cells(self):
-        return self.browser.run("return [...document.querySelectorAll('button.digits')].map(b => [b.dataset.operation, b.dataset.subject,"
-                                "b.querySelectorAll('.boxes i').length, b.textContent])")
+        """Each visible cell of the table of digits: operation, subject, scalar, and the number of its visible boxes."""
+        return self.browser.run("return [...document.querySelectorAll('button.digits')].filter(b => b.checkVisibility()).map(b => [b.dataset.operation,"
+                                "b.dataset.subject, b.dataset.scalar, [...b.querySelectorAll('i')].filter(i => i.checkVisibility()).length])")
 
-    def open_cell(self, operation, subject):
-        self.browser.press(f"button.digits[data-operation='{operation}'][data-subject='{subject}']", "\ue007")  # the Enter key
+    def open_cell(self, operation, subject, scalar="double"):
+        self.browser.press(f"button.digits[data-operation='{operation}'][data-subject='{subject}'][data-scalar='{scalar}']", "\ue007")  # the Enter key
 
     def test_unpacks_the_figures_of_the_record(self):
         self.show(page=FOLDER / "out/seen.html")
         self.run_until("return globalThis.unpackedNumbers !== undefined")
         seen = self.browser.run("return unpackedNumbers")
         self.assertEqual(self.browser.run("return unpacks(arguments[0])", PACKED["packed"]), PACKED["plain"])
-        self.assertEqual(seen["records"][0]["hard_cases"][0]["cells"][0]["replay"],
-                         self.report["records"][0]["hard_cases"][0]["cells"][0]["replay"])
+        self.assertEqual(self.browser.run("return hardLines()"), sorted(cell["replay"] for hard in self.report["records"][0]["hard_cases"]
+                                                                        for cell in hard["cells"]))
         self.assertEqual(len(seen["results"]), len(self.report["results"]))
         for shown, stored in zip(seen["results"], self.report["results"]):
             for name in ("subject", "scalar", "operation", "block", "band", "low", "high", "count", "budget", "status", "failed"):
@@ -132,32 +135,95 @@ class Pages(unittest.TestCase):
                 else:
                     self.assertAlmostEqual(shown[name], stored[name], delta=1e-3 * stored[name])
 
+    def test_pictures_have_the_lines_of_each_library(self):
+        lines = "return [...document.querySelectorAll('#cover svg, #price svg')].map(svg => [...svg.querySelectorAll('.line, .mark')]" \
+                ".map(e => [getComputedStyle(e).stroke, e.getBoundingClientRect().width]))"
+        colours = {"light": ["rgb(0, 114, 178)", "rgb(213, 94, 0)"], "dark": ["rgb(90, 180, 236)", "rgb(255, 138, 61)"]}
+        for scheme, libraries in colours.items():
+            for script in (True, False):
+                self.show(scheme=scheme, script=script)
+                pictures = self.browser.run(lines)
+                self.assertEqual(len(pictures), 3, "near 0, near pi, and the price of a digit")
+                for picture in pictures:
+                    self.assertEqual(sorted({colour for colour, _ in picture}), sorted(libraries))
+                for picture in pictures[:2]:
+                    for library in libraries:
+                        self.assertGreater(max(width for colour, width in picture if colour == library), 100)
+
     def test_charts_have_the_lines_of_each_library(self):
         for scheme, colours in (("light", {"liecheck": "0072b2", "textbook": "d55e00"}), ("dark", {"liecheck": "5ab4ec", "textbook": "ff8a3d"})):
             self.show(scheme=scheme)
-            self.run_until("return document.querySelectorAll('#cover canvas').length === 2")
-            for name, colour in colours.items():
-                for chart, pixels in enumerate(self.browser.run(PIXELS, colour)[:2]):
-                    self.assertGreater(pixels, 200, f"chart {chart} has no line of {name} on a {scheme} page")
-            self.browser.run("document.querySelector('#cost > details').open = true; document.querySelector('#cost').scrollIntoView();")
+            self.open_cell("exp6", "textbook")
+            self.run_until("return document.querySelectorAll('#digits canvas').length > 0")
+            self.run_until(f"const count = c => {{ {PIXELS.replace('arguments[0]', 'c')} }}; return Math.min(...count('{colours['textbook']}')) > 200")
+            self.open_cell("exp6", "textbook")
+            self.assertEqual(self.browser.run("return document.querySelectorAll('#digits canvas').length"), 0)
+            self.browser.run("document.querySelector('#cost > details').open = true; document.querySelector('#cost .cost-charts').scrollIntoView();")
             self.run_until("return document.querySelectorAll('#cost canvas').length > 0")
             for colour in colours.values():
-                self.run_until(f"const count = c => {{ {PIXELS.replace('arguments[0]', 'c')} }}; return Math.max(...count('{colour}').slice(2)) > 20")
+                self.run_until(f"const count = c => {{ {PIXELS.replace('arguments[0]', 'c')} }}; return Math.max(...count('{colour}')) > 20")
+
+    def test_every_place_has_the_same_hard_cases(self):
+        """The verdicts, the answer, the campaign, the map, the table of verdicts and the matrix that a script writes."""
+        self.show()
+        self.browser.run(UNFOLD)
+        says = {row["subject"]: [] for row in self.report["results"]}
+        texts = self.browser.run("return [...document.querySelectorAll('#sentences li')].map(l => [l.querySelector('b').textContent, l.textContent])")
+        for subject, text in texts:
+            says[subject].append(self.counted(text))
+        rows = self.browser.run("return [...document.querySelectorAll('#stability .dense tbody tr')].map(r => [...r.cells].map(c => c.textContent))")
+        for subject in says:
+            own = [row for row in rows if row[0].startswith(subject + " in ")]
+            says[subject].append((sum(int(row[-1]) for row in own), sum(int(row[1]) for row in own)))
+        titles = self.browser.run("return [...document.querySelectorAll('#stability-matrix tr.class td[aria-label]')].map(c => c.getAttribute('aria-label'))")
+        for subject in says:
+            own = [re.search(r": (\d+) of (\d+) failed", t).groups() for t in titles if f", {subject} in " in t]
+            says[subject].append((sum(int(a) for a, _ in own), sum(int(b) for _, b in own)))
+        for subject, all_ in says.items():
+            self.assertEqual(len(all_), 3)
+            self.assertEqual(len(set(all_)), 1, (subject, all_))
+        total = tuple(map(sum, zip(*(all_[0] for all_ in says.values()))))
+        self.assertGreater(total[0], 0)
+        for place in ("#hard p", "#standings .summary"):
+            self.assertEqual(self.counted(self.browser.run(f"return document.querySelector('{place}').textContent")), total, place)
+        classes = self.browser.run("return [...document.querySelectorAll('#hard g > title')].map(t => t.textContent)")
+        rest = self.browser.run("return [...document.querySelectorAll('#hard text')].map(t => t.textContent).filter(t => /further classes/.test(t)).join('')")
+        sums = [re.search(r": (\d+) of (\d+) (cases )?fail", t).groups() for t in [*classes, *([rest] if rest else [])]]
+        self.assertEqual((sum(int(s[0]) for s in sums), sum(int(s[1]) for s in sums)), total)
+
+    @staticmethod
+    def counted(text):
+        """(failing, all) of "41 of 585 hard cases fail" or "none of 585 hard cases fails"."""
+        found = re.search(r"(none|\d+) of (\d+) hard cases fail", text)
+        return (0 if found[1] == "none" else int(found[1]), int(found[2]))
+
+    def test_every_place_has_the_same_digits(self):
+        """The boxes that are written with the page say what the rows of an opened cell say, which scripts write."""
+        self.show()
+        for operation, subject, scalar in (("exp6", "textbook", "double"), ("log6", "textbook", "float"), ("exp6", "liecheck", "double")):
+            self.open_cell(operation, subject, scalar)
+            boxes, kept = self.browser.run("const d = document.querySelector('#digits-table tr.detail'); return [[...document.querySelectorAll("
+                                           "'button[aria-expanded=true].digits i')].map(i => i.textContent).filter(t => t !== '·'),"
+                                           "[...d.querySelectorAll('tr[data-region]')].map(r => [...r.cells].map(c => c.textContent))]")
+            self.assertEqual(len(boxes), len(kept))
+            for box, row in zip(boxes, kept):
+                if box not in "NB":
+                    self.assertEqual(int(box), math.floor(float(row[1]) + .05 + 1e-9), (operation, subject, scalar, row))
 
     def test_filters_filter(self):
         self.show()
         every = self.cells()
-        self.assertEqual({(o, s) for o, s, _, _ in every}, {(r["operation"], r["subject"]) for r in self.report["results"]
-                                                            if r["scalar"] == "double" and r["count"]})
+        self.assertEqual({(o, s, t) for o, s, t, _ in every}, {(r["operation"], r["subject"], r["scalar"]) for r in self.report["results"] if r["count"]})
         self.choose("operation", "log6")
-        self.assertEqual([(o, s) for o, s, _, _ in self.cells()], [("log6", "liecheck"), ("log6", "textbook")])
-        self.assertIn("log6", self.browser.run("return document.querySelector('#cover-title').textContent"))
+        both = [("log6", "liecheck"), ("log6", "textbook")]
+        self.assertEqual(sorted({(o, s) for o, s, _, _ in self.cells()}), both)
+        self.assertEqual(len(self.cells()), 4, "each in float and double")
         self.choose("region", "pi")
-        self.assertEqual([n for _, _, n, _ in self.cells()], [1, 1])
+        self.assertEqual([n for _, _, _, n in self.cells()], [1, 1, 1, 1])
         self.choose("region", "")
         self.choose("operation", "")
         self.choose("scalar", "float")
-        self.assertNotEqual(self.cells(), every)
+        self.assertEqual({t for _, _, t, _ in self.cells()}, {"float"})
         self.browser.run("document.querySelector('[name=subject][value=textbook]').click()")
         self.assertEqual({s for _, s, _, _ in self.cells()}, {"liecheck"})
 
@@ -184,12 +250,12 @@ class Pages(unittest.TestCase):
         self.show()
         self.open_cell("exp6", "textbook")
         self.browser.devtools("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
-        line = self.browser.run("document.querySelector('button.copy').click(); return document.querySelector('code.replay').textContent")
-        self.run_until("return document.querySelector('button.copy').textContent === 'copied'")
+        line = self.browser.run("document.querySelector('#digits button.copy').click(); return document.querySelector('#digits code.replay').textContent")
+        self.run_until("return document.querySelector('#digits button.copy').textContent === 'copied'")
         self.assertEqual(self.browser.run("return navigator.clipboard.readText()"), line)
 
     def test_a_choice_survives_a_reload(self):
-        state = "return [location.hash, document.querySelector('#digits-table').innerText, document.querySelector('#cover-title').textContent," \
+        state = "return [location.hash, document.querySelector('#digits-table').innerText," \
                 "...[...document.querySelectorAll('#controls select')].map(s => s.value)," \
                 "...[...document.querySelectorAll('[name=subject]')].map(s => s.checked)]"
         self.show()
@@ -198,9 +264,9 @@ class Pages(unittest.TestCase):
         self.choose("operation", "log6")
         self.choose("region", "pi")
         self.browser.run("document.querySelector('[name=subject][value=liecheck]').click()")
-        self.open_cell("log6", "textbook")
+        self.open_cell("log6", "textbook", "float")
         before = self.browser.run(state)
-        for i, part in enumerate(unchosen[:6]):
+        for i, part in enumerate(unchosen[:5]):
             self.assertNotEqual(before[i], part)
         self.assertIn("liecheck replay", before[1])
         self.show(before[0])
@@ -215,13 +281,15 @@ class Pages(unittest.TestCase):
             self.assertEqual(link, "#" + name)
         self.show("#coverage")
         self.assertTrue(self.browser.run("return document.querySelector('#coverage > details').open"))
-        self.browser.run("document.querySelector('#answers a[href=\"#stability\"]').click()")
+        self.browser.run("document.querySelector('#hard a[href=\"#stability\"]').click()")
         self.assertTrue(self.browser.run("return document.querySelector('#stability > details').open"))
         self.assertIn("at=stability", self.browser.run("return location.hash"))
 
     def test_answers_are_on_the_first_screen(self):
         self.show()
         self.assertLessEqual(self.browser.run("return document.querySelector('#answers').getBoundingClientRect().bottom"), 900)
+        self.show(width=390, script=False)
+        self.assertLessEqual(self.browser.run("return document.querySelector('#cover h2').getBoundingClientRect().bottom"), 844)
 
     def test_dark_and_print_have_styles_of_their_own(self):
         colours = "const s = getComputedStyle(document.body); return [s.backgroundColor, s.color].map(c => c.match(/\\d+/g).slice(0, 3)" \

@@ -146,5 +146,21 @@ SCALAR_TEST(StumpffOf, LogarithmCoefficientsKeepTheirBoundsForAllAngles) {
   EXPECT_LE(alpha / double(eps<S>()), 3.5);
 }
 
+SCALAR_TEST(StumpffOf, LogarithmCoefficientsOfNearRotationsKeepTheirBounds) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> exponent(-18, -8 * std::log10(2.0)), side(-1, 1);
+  double ratio = 0, along = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const S squared = i == 0 ? S(1) / S(256) : S(std::pow(10.0, exponent(random)));
+    const S excess = S(side(random)) * std::sqrt(eps<S>() / S(8));
+    const auto ours = LogarithmCoefficients<S>::near(squared, excess);
+    const Real s = sqrt(Real(squared)), c = sqrt(1 + Real(excess) - s * s), h = atan2(s, c);
+    ratio = (std::max)(ratio, double(abs(Real(ours.angle_over_sine) * s / (2 * h) - 1)));
+    along = (std::max)(along, double(abs(Real(ours.along) / ((1 - h * c / s) / (s * s)) - 1)));
+  }
+  EXPECT_LE(ratio / double(eps<S>()), 0.75);
+  EXPECT_LE(along / double(eps<S>()), 2);
+}
+
 }  // namespace
 }  // namespace liecheck

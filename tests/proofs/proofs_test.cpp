@@ -107,7 +107,7 @@ void evaluations(const std::string& name, Evaluate&& evaluate, double bound, dou
 }
 
 // Ends of domains: pi^2 plus a few ulp of float for x, and 1 for s = 1 - cos h.
-constexpr const char *pi_squared = "9.869608", *unit = "1";
+constexpr const char *pi_squared = "9.869608", *unit = "1", *near = "1/256";
 constexpr const char* fourth =
     "first = 1/24;\nratio = proc(j) { return -1 / (4*(2*j + 3)*(2*j + 4)); };\nterms = 24;\nrest = 1;\n";
 constexpr const char* fifth =
@@ -116,6 +116,10 @@ constexpr const char* inverse_sinc_rest =
     "first = 1/3;\nratio = proc(j) { return (j + 1) / (2*j + 3); };\nterms = 64;\nrest = 2;\n";
 constexpr const char* inverse_sinc =
     "first = 1;\nratio = proc(j) { return j / (2*j + 1); };\nterms = 64;\nrest = 2;\n";
+constexpr const char* near_inverse_sinc =
+    "first = 1;\nratio = proc(j) { return (2*j - 1)^2 / (2*j*(2*j + 1)); };\nterms = 16;\nrest = 2;\n";
+constexpr const char* near_along =
+    "first = 1/3;\nratio = proc(j) { return 2*j / (2*j + 3); };\nterms = 16;\nrest = 2;\n";
 
 template <class T>
 HalfAngle<T> half(const T& x) {
@@ -179,6 +183,9 @@ TYPED_TEST(Proofs, TheAngleOverItsSine) {
   // (h / sin h - 1) / s, which the proofs of whole operations use (lab/bounds).
   approximation<TypeParam, InverseSincSeries, 1>(name + "_rest", inverse_sinc_rest, 13.5, unit);
   evaluations<TypeParam>(name, code, 2, 1.5, unit);
+  approximation<TypeParam, NearInverseSincSeries>(this->named("near_inverse_sinc"), near_inverse_sinc, 0.002,
+                                                  near);
+  approximation<TypeParam, NearAlongSeries>(this->named("near_along"), near_along, 0.3, near);
 }
 
 // A smaller bound must fail: a check that accepts any bound proves nothing.

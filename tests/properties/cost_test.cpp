@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -69,9 +70,11 @@ TEST(Front, ARowWithoutAMeasurementDominatesNothingAndIsNotDominated) {
 
 TEST(CostInputs, AreTheSameForASeedAndLieInTheirBands) {
   const std::vector<Field> fields = {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
-  const auto a = cost_inputs<double>(fields, 7, 50), b = cost_inputs<double>(fields, 7, 50);
+  CostOptions seven, eight;
+  seven.seed = 7, eight.seed = 8;
+  const auto a = cost_inputs<double>(fields, seven, 50), b = cost_inputs<double>(fields, seven, 50);
   EXPECT_EQ(a, b);
-  EXPECT_NE(a, cost_inputs<double>(fields, 8, 50));
+  EXPECT_NE(a, cost_inputs<double>(fields, eight, 50));
   for (std::size_t i = 0; i < a.size(); ++i) {
     const CostBand& band = cost_bands[i / 50];
     const double theta = std::hypot(a[i][3], a[i][4], a[i][5]);
@@ -103,6 +106,29 @@ double nanoseconds(const std::function<void()>& pass, std::size_t calls) {
     best = std::min(best, processor_time() - start);
   }
   return best / 20 / static_cast<double>(calls);
+}
+
+TEST(Curve, EachTermOfASeriesWinsDigitsAndATextbookLosesThemOnBothSidesOfItsCutoff) {
+  CostOptions o;
+  o.curve = true, o.processes = 0, o.inputs_per_band = 32;  // errors alone
+  o.operations = {"left_jacobian3", "left_jacobian6", "log3_quaternion"}, o.scalars = {"double"};
+  std::map<std::pair<std::string, std::string>, std::vector<double>>
+      digits;  // by operation, subject and band
+  for (const CostRow& r : measure_cost(o).rows)
+    for (std::size_t b = 0; b < curve_bands.size(); ++b)
+      digits[{r.operation, r.subject}].push_back(-std::log10(error_of(r, r.sets[b])));
+  constexpr std::size_t near_1e_5 = 3, near_1e_3 = 5, below_1 = 8;
+  for (const std::string& operation : o.operations) {
+    for (int n = 2; n <= 12; ++n) {  // term n + 1 is below x/8 of term n where x < 1
+      const auto shorter = digits.at({operation, fmt::format("series:{}", n - 1)}),
+                 longer = digits.at({operation, fmt::format("series:{}", n)});
+      EXPECT_GT(longer.at(below_1), std::min(14.5, shorter.at(below_1) + 0.5)) << operation << n;
+    }
+    EXPECT_GT(digits.at({operation, "liecheck"}).at(below_1), 15.3);
+    const auto book = digits.at({operation, "textbook:1e-4"});
+    EXPECT_LT(book.at(near_1e_5), 14) << operation;  // the leading term alone
+    EXPECT_LT(book.at(near_1e_3), 14) << operation;  // 1 - cos theta cancels
+  }
 }
 
 TEST(Loops, LatencyWaitsForTheLastResultAndThroughputDoesNot) {

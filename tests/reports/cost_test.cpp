@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <reports/cost_advice.hpp>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 
 #include "sample_record.hpp"
 
@@ -24,27 +26,73 @@ TEST(CostReport, EachStepAtLeastHalvesTheError) {
   EXPECT_TRUE(std::isinf(digits_of(points.back())));
 }
 
-TEST(CostReport, AdviceFollowsFromTheFigures) {
-  const auto all = cost_candidates(cost_points(cost()), {"exp6", "log6", "integrate", "difference"});
-  EXPECT_EQ(all.size(), 7U);  // subject `one` lacks three of the operations
-  EXPECT_EQ(fastest_within(all, 1e-14)->name(), "fast in double");
-  EXPECT_EQ(fastest_within(all, 1e-22)->name(), "default in quad");
-  EXPECT_EQ(fastest_within(all, 1e-40), nullptr);
-  EXPECT_EQ(most_accurate(all, "double")->name(), "nearly in double");
-  EXPECT_EQ(fastest_within(all, 1e-14)->latency, 320);
+RegionPoint point(const char* subject, double ns, double error, const char* where = "theta 1e-12..1e-5") {
+  return {subject, "double", ns, ns * 0.95, ns * 1.05, error, where};
+}
+
+TEST(CostReport, OfLibrariesNamesTheFastestWithTheMostDigitsAndWhatAFasterOneLoses) {
+  EXPECT_EQ(cost_sentence({point("quick", 10, 4e-9), point("near", 17, 4e-9), point("exact", 18, 4e-16),
+                           point("slow", 40, 3e-16)},
+                          {}),
+            "For 15 digits take <b>exact in double</b> (18 ns); quick (10 ns) loses 7 digits, at theta "
+            "1e-12..1e-5.");
+  EXPECT_EQ(cost_sentence({point("a", 10, 4e-16), point("b", 12, 4e-16)}, {}),
+            "For 15 digits take <b>a in double</b> (10 ns).");
+  EXPECT_TRUE(has(cost_sentence({point("a", 10, INFINITY), point("b", 12, 4e-16)}, {}), "without a result"));
+  EXPECT_EQ(cost_sentence({}, {}), "");
+}
+
+TEST(CostReport, OfOneLibraryComparesItWithWhatItsFormulaCouldReachAndAdvertisesNothing) {
+  const RegionPoint series = point("liecheck:fast", 20, 8e-16), tight = point("liecheck:tight", 900, 1e-16);
+  EXPECT_EQ(cost_sentence({point("textbook", 9, 1e-8), point("mine", 10, 1e-8), series, tight}, {"mine"}),
+            "double: 8.0 digits, 10 ns; a series or half angles (liecheck:fast) wins <b>+7.1 digits for "
+            "+10 ns</b>, at "
+            "theta 1e-12..1e-5.");
+  EXPECT_EQ(cost_sentence({point("mine", 10, 9e-16), series, tight}, {"mine"}),
+            "double: 15.0 digits, 10 ns.");
+  EXPECT_EQ(
+      cost_sentence({series, point("mine", 40, 9e-16), tight}, {"mine"}),
+      "double: 15.0 digits, 40 ns; a series or half angles (liecheck:fast) has no fewer and takes 20 ns.");
+}
+
+TEST(CostReport, ARegionTakesTheWorstErrorOfItsBandsAndTheMeanOfTheirTimes) {
+  Json all = cost();
+  all["bands"] = Json::parse(R"json([{"axis": "theta", "band": "tiny", "high": 1e-05, "low": 1e-12},
+ {"axis": "theta", "band": "small", "high": 0.1, "low": 1e-05},
+ {"axis": "pi_minus_theta", "band": "pi", "high": 0.1, "low": 1e-05}])json");
+  Json sets = Json::array();
+  for (const char* band : {"tiny", "small", "pi", "mixed"}) {
+    Json set = all["rows"][0]["sets"][0];
+    set["set"] = band;
+    if (band == std::string("small")) set["blocks"][0]["max_eps"] = 1024, set["latency"]["ns"] = 30;
+    sets.push_back(set);
+  }
+  all["rows"] = Json::array({all["rows"][0]});
+  all["rows"][0]["sets"] = sets;
+  const auto regions = cost_regions(all);
+  ASSERT_EQ(regions.size(), 2U);
+  const auto near_zero = region_points(all, "exp6", regions[0]),
+             near_pi = region_points(all, "exp6", regions[1]);
+  ASSERT_EQ(near_zero.size(), 1U);
+  EXPECT_EQ(near_zero[0].ns, 40);
+  EXPECT_EQ(near_zero[0].error, 0x1p-42);
+  EXPECT_EQ(near_zero[0].where, "small");
+  EXPECT_EQ(near_pi.at(0).error, 0x1p-51);
 }
 
 TEST(CostReport, TheSectionNamesMachineAndVariants) {
-  const std::string text = cost_section({{Json{{"cost", cost()}}}, {}, {}});
+  const Merged merged{{Json{{"cost", cost()}}}, {}, {}};
+  const std::string text = cost_section(Looks(merged));
   for (const char* part :
-       {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
-        "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
-        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps", "short repetitions in 20 processes"})
+       {"c&lt;1&gt;", "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns",
+        "the rest for +", "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps",
+        "short repetitions in 20 processes"})
     EXPECT_TRUE(has(text, part)) << part;
   const char* warning = "The machine changed speed during this run";
   EXPECT_FALSE(has(text, warning));
-  EXPECT_TRUE(has(cost_section({{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}), warning));
-  EXPECT_TRUE(has(cost_section({}), "These records hold no times"));
+  const Merged unsteady{{Json{{"cost", with(cost(), "/steady", false)}}}, {}, {}}, none;
+  EXPECT_TRUE(has(cost_section(Looks(unsteady)), warning));
+  EXPECT_TRUE(has(cost_section(Looks(none)), "These records hold no times"));
 }
 
 TEST(CostReport, NamesTheFieldThatItRefuses) {

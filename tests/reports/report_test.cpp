@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <reports/html.hpp>
+#include <reports/picture.hpp>
 #include <reports/report.hpp>
 #include <stdexcept>
 #include <string>
@@ -210,7 +211,7 @@ TEST_F(Report, OfARecordWithManyNamesIsWrittenInSeconds) {
   for (int i = 0; i < 100000; ++i) names.push_back(fmt::format("{}", i));
   r["subjects"][0]["not_offered"] = r["absent"] = names;
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_TRUE(has(page_of(r), "<td>99999</td>"));
+  EXPECT_TRUE(has(page_of(r), ", 99999</td>"));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15));
 }
 
@@ -324,7 +325,7 @@ TEST_F(Report, EscapesDataInThePage) {
   const std::string page = page_of(r);
   EXPECT_FALSE(has(page, "<script>alert"));
   EXPECT_TRUE(has(page, "&lt;/script&gt;"));
-  EXPECT_TRUE(has(page, "<td>{{machine}}</td>"));
+  EXPECT_TRUE(has(page, ", {{machine}}</td>"));
 }
 
 TEST_F(Report, EscapesControlCharactersAndMarksThatTurnALine) {
@@ -339,10 +340,11 @@ TEST_F(Report, EscapesControlCharactersAndMarksThatTurnALine) {
 }
 
 TEST_F(Report, AnswersComeFirst) {
-  const std::string page = page_of(record());
+  const std::string page = page_of(full_record());
   std::size_t last = 0;
-  for (const char* part : {"id=\"sentences\"", "id=\"cover\"", "id=\"answers\"", "id=\"controls\"",
-                           "id=\"digits-table\"", "id=\"stability-matrix\"", "id=\"figures\""}) {
+  for (const char* part :
+       {"id=\"sentences\"", "id=\"cover\"", "id=\"price\"", "id=\"hard\"", "id=\"findings\"",
+        "id=\"controls\"", "id=\"digits-table\"", "id=\"stability-matrix\"", "id=\"figures\""}) {
     EXPECT_GT(page.find(part), last) << part;
     last = page.find(part);
   }
@@ -352,14 +354,16 @@ TEST(PageNumbers, KeepTheWorstInputOfEachRegionAndRoundFigures) {
   Json r = record();
   r["results"] =
       Json::array({row("liecheck", "theta 1e-5..1e-4", 1.23456789), row("liecheck", "theta 1e-4..1e-3", 7)});
-  const Json page = page_numbers({{"records", Json::array()}, {"results", r["results"]}});
+  const Merged merged{{r}, {}, {}};
+  const Looks looks(merged);
+  const Json page = page_numbers({{"records", Json::array()}, {"results", r["results"]}}, looks);
   EXPECT_EQ(page["results"][0]["max_eps"], 1.235);
   EXPECT_TRUE(page["results"][0]["worst"]["input"].empty());
   EXPECT_EQ(page["results"][1]["worst"]["input"], r["results"][1]["worst"]["input"]);
   EXPECT_EQ(page["results"][1]["region"], "small");
   for (Json& row : r["results"]) row["status"] = "pass";
   r["results"][0]["not_finite"] = 1;
-  const Json broken = page_numbers({{"records", Json::array()}, {"results", r["results"]}});
+  const Json broken = page_numbers({{"records", Json::array()}, {"results", r["results"]}}, looks);
   EXPECT_TRUE(broken["results"][0]["worst"]["shown"]);
   EXPECT_FALSE(broken["results"][1]["worst"]["shown"]);
 }
@@ -395,7 +399,51 @@ TEST_F(Report, ShowsTheHardCasesOfEveryRecord) {
       write_report({store("a.json", dumped(first)), store("b.json", dumped(second))}, dir / "out");
   const std::string page = read(files.html);
   EXPECT_TRUE(has(page, "id=\"stability-matrix\""));
-  EXPECT_TRUE(has(page, "2 cells, one for each case × law × subject × scalar; 1 failed"));
+  EXPECT_TRUE(has(page, "1 of 2 hard cases fail"));
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+/// Two laws look at the case "zero", and both fail; a third case is stable. tests/browser compares what scripts write.
+TEST_F(Report, EveryPlaceHasTheSameHardCases) {
+  Json r = record();
+  const Json zero = hard_case("textbook", "not finite");
+  r["hard_cases"] = {zero, with(zero, "/property", "log_oracle"),
+                     with(hard_case("textbook", "stable"), "/name", "other")};
+  const std::string page = page_of(r);
+  EXPECT_EQ(count(page, "1 of 2 hard cases fail"), 3u);  // the verdict on textbook, the answer, the campaign
+  EXPECT_TRUE(has(page, "textbook in double</th><td>2</td><td>1</td>"));  // cases, stable
+  EXPECT_TRUE(has(page, "<td>1</td><td>0</td><td>1</td></tr>"));          // not finite, bad call, failed
+  EXPECT_TRUE(has(page, "<title>textbook, zero: 1 of 2 fail</title>"));   // the map
+}
+
+TEST_F(Report, ShowsItsPicturesWithoutAScript) {
+  Json r = full_record();
+  r["cost"] = cost();
+  r["hard_cases"] = Json::array({hard_case("textbook", "not finite")});
+  std::string page = page_of(r);
+  page.erase(page.find("<script"));
+  EXPECT_GE(count(page, "<svg class=\"picture\""), 3u);
+  EXPECT_TRUE(has(page, "<title>textbook, theta 1e-5..1e-4: 3.4 of 15.7 digits lost, over budget</title>"));
+  EXPECT_TRUE(has(page, "<title>fast in double: 14.5 correct digits, 80 ns</title>"));
+  EXPECT_TRUE(has(page, "class=\"front\""));
+  EXPECT_TRUE(has(page, "<i class=f>12.3</i>"));  // the table of digits
+}
+
+TEST(Findings, HaveTheLinesOfTheTerminal) {
+  const FindingText f = parts_of(
+      "3  exp6 (translation): bad\n   where    theta < 1\n   example  exp6(1)\n            p[0] is 2\n  as "
+      "mine's own program:\n\nprint(1)\n  print(2)\n\n   replay   liecheck replay x\n");
+  EXPECT_EQ(f.title, "exp6 (translation): bad");
+  using Lines = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(f.lines, (Lines{{"where", "theta < 1"},
+                            {"example", "exp6(1)\np[0] is 2"},
+                            {"program", "print(1)\n  print(2)"},
+                            {"replay", "liecheck replay x"}}));
 }
 
 TEST_F(Report, NamesTheFieldOfAHardCaseThatItRefuses) {

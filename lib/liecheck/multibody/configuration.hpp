@@ -105,8 +105,9 @@ bool isNormalized(const Model<S>& model, In<S> q,
 }
 
 /// The configuration T exp(delta) of every joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
+/// Flattened: a call for each joint would take as long as the sum of a revolute joint.
 template <Scalar S>
-VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
+[[gnu::flatten]] VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
   using namespace configuration_detail;
   checkConfigurationSize<S>(model, q, "q");
   checkTangentSize<S>(model, delta, "delta");
@@ -119,8 +120,8 @@ VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
     refuseValues<S>(model, q, "q");
     throw;
   }
-  // Numbers that are not finite are still not finite in the result, so one check suffices.
-  if (!allFinite<S>(result)) [[unlikely]]
+  // The result is not read: wide loads of numbers that were just stored one by one would stall.
+  if (!allFinite<S>(q) || !allFinite<S>(delta)) [[unlikely]]
     refuseValues<S>(model, q, "q"), checkTangent<S>(model, delta, "delta");
   return result;
 }
@@ -141,7 +142,7 @@ template <Scalar S>
     refuseValues<S>(model, q0, "q0"), refuseValues<S>(model, q1, "q1");
     throw;
   }
-  if (!allFinite<S>(delta)) [[unlikely]]
+  if (!allFinite<S>(q0) || !allFinite<S>(q1)) [[unlikely]]
     refuseValues<S>(model, q0, "q0"), refuseValues<S>(model, q1, "q1");
   return delta;
 }
@@ -267,7 +268,7 @@ VectorX<S> checkedTangent(const Model<S>& model, In<S> v) {
 // instantiations.cpp instantiates these for float and double.
 extern template decltype(neutral<float>) neutral<float>;
 extern template decltype(normalized<float>) normalized<float>;
-extern template decltype(integrate<float>) integrate<float>;
+extern template VectorX<float> integrate<float>(const Model<float>&, In<float>, In<float>);
 extern template VectorX<float> difference<float>(const Model<float>&, In<float>, In<float>);
 extern template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 extern template decltype(isNormalized<float>) isNormalized<float>;
@@ -278,7 +279,7 @@ extern template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJa
 
 extern template decltype(neutral<double>) neutral<double>;
 extern template decltype(normalized<double>) normalized<double>;
-extern template decltype(integrate<double>) integrate<double>;
+extern template VectorX<double> integrate<double>(const Model<double>&, In<double>, In<double>);
 extern template VectorX<double> difference<double>(const Model<double>&, In<double>, In<double>);
 extern template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 extern template decltype(isNormalized<double>) isNormalized<double>;

@@ -11,7 +11,7 @@ template Model<double> Model<double>::cast<double>() const;
 template class Data<double>;
 template decltype(neutral<double>) neutral<double>;
 template decltype(normalized<double>) normalized<double>;
-template decltype(integrate<double>) integrate<double>;
+template VectorX<double> integrate<double>(const Model<double>&, In<double>, In<double>);
 template VectorX<double> difference<double>(const Model<double>&, In<double>, In<double>);
 template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 template decltype(isNormalized<double>) isNormalized<double>;

@@ -9,7 +9,7 @@ template class Model<float>;
 template class Data<float>;
 template decltype(neutral<float>) neutral<float>;
 template decltype(normalized<float>) normalized<float>;
-template decltype(integrate<float>) integrate<float>;
+template VectorX<float> integrate<float>(const Model<float>&, In<float>, In<float>);
 template VectorX<float> difference<float>(const Model<float>&, In<float>, In<float>);
 template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 template decltype(isNormalized<float>) isNormalized<float>;

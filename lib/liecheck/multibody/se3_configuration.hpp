@@ -90,38 +90,53 @@ template <Scalar S>
   return Vector4<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1), exact_dot<S, 4>(a.v, b.v));
 }
 
+/// v + v_low.
+template <Scalar S>
+struct VectorPart {
+  Vector3<S> v, v_low;
+};
+/// The vector part of factor a* b, however much cancels. A subnormal number is rounded once, at the end.
+template <Scalar S>
+[[gnu::noinline, gnu::cold]] VectorPart<S> exactVectorPart(const Quad<S>& a, const Quad<S>& b, S factor) {
+  const S small = eps<S>() * eps<S>();
+  const Vector4<S> exact = exactProduct<S>(a, b * Quad<S>(S(1) / small));
+  return {each<S>([&](int i) { return S(exact[i] * S(factor * small)); }), Vector3<S>(S(0), S(0), S(0))};
+}
 /// The vector part of s Q0* Q1, s = sgn(Q0 . Q1), of close rotations. It is that of Q0* D, D = s Q1 - Q0,
 /// since that of Q0* Q0 is 0. The subtraction is exact except in components that are small, so the error is 1
 /// eps. If the norms differ so much that D is much longer than the vector part, the product is computed
 /// exactly.
 template <Scalar S, Precision P>
-[[gnu::always_inline]] inline Vector3<S> nearRotation(const Quaternion<S, P>& Q0,
-                                                      const Quaternion<S, P>& Q1) {
-  const S s = sign<S>(sum(Q0.split.value * Q1.split.value));  // known sooner than from the double words
+[[gnu::always_inline]] inline VectorPart<S> nearRotation(const Quaternion<S, P>& Q0,
+                                                         const Quaternion<S, P>& Q1, const S& s) {
   const Quad<S> D = Quad<S>(s) * Q1.split.value - Q0.split.value;
   const S bound = sum(fabs(D)), least = bound / S(P == Precision::fast ? 8 : 256);
-  const S small = eps<S>() * eps<S>();  // a subnormal vector part is rounded once, at the end
-  const auto exactly = [&](const auto& q, const S& factor) {
-    const Vector4<S> exact = exactProduct<S>(Q0.split.value, q * Quad<S>(S(1) / small));
-    return each<S>([&](int i) { return S(exact[i] * S(factor * small)); });
-  };
   if constexpr (!side_by_side<S>)
-    if (bound < std::numeric_limits<S>::min() / small && bound > S(0)) [[unlikely]]
-      return exactly(D, S(1));
+    if (bound < std::numeric_limits<S>::min() / (eps<S>() * eps<S>()) && bound > S(0)) [[unlikely]]
+      return exactVectorPart<S>(Q0.split.value, D, S(1));
   const SplitFactor<Quad<S>, 1, P> factor(D, Quad<S>(S(bound * SO3<S>::split_factor())));
-  const Quad<S> v = product<S, P, -1>(Q0.split, factor).value();
-  const Vector3<S> result(v.v[0], v.v[1], v.v[2]);
+  const auto sum = product<S, P, -1>(Q0.split, factor);
+  const Quad<S> v = sum.value(), low = sum.rounding_error(v);
+  const VectorPart<S> result{Vector3<S>(v.v[0], v.v[1], v.v[2]), Vector3<S>(low.v[0], low.v[1], low.v[2])};
   if constexpr (!side_by_side<S>)
-    if (dot<S>(result, result) < least * least) [[unlikely]]
-      return exactly(Q1.split.value, s);
+    if (dot<S>(result.v, result.v) < least * least) [[unlikely]]
+      return exactVectorPart<S>(Q0.split.value, Q1.split.value, s);
   return result;
 }
 
 /// log(Q0* Q1), from the product in double words. The vector part has full relative accuracy, even if the two
-/// rotations are close.
+/// rotations are close. Then it alone decides, and short series suffice.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Quaternion<S, P>& Q0, const Quaternion<S, P>& Q1) {
+  const S excess = product_excess<S>(Q0.excess, Q1.excess);
+  const S cosine = liecheck::sum(Q0.split.value * Q1.split.value);  // known sooner than in double words
+  if constexpr (!side_by_side<S>)
+    if (absolute<S>(cosine) > S(1) - S(1) / S(1024) && excess * excess < eps<S>() / S(8)) {  // |v| < 1/16
+      const auto [v, v_low] = nearRotation<S, P>(Q0, Q1, sign<S>(cosine));
+      return exp_log_detail::RotationLogarithm<S, P>(v, v_low,
+                                                     LogarithmCoefficients<S>::near(dot<S>(v, v), excess));
+    }
   const auto sum = product<S, P, -1>(Q0.split, Q1.split);
   const Quad<S> Q = sum.value(), Q_low = sum.rounding_error(Q);
   DoubleWord<S> w(Q.v[3], Q_low.v[3]);
@@ -134,15 +149,15 @@ template <Scalar S, Precision P>
   const S square = dot<S>(v, v), close = P == Precision::fast ? S(1) / S(64) : S(2048) * eps<S>();
   if constexpr (side_by_side<S>) {
     if (const auto lanes = S::less(square, close); S::any(lanes)) {
-      const Vector3<S> near = nearRotation<S, P>(Q0, Q1);
+      const Vector3<S> v_near = nearRotation<S, P>(Q0, Q1, sign<S>(cosine)).v;
       for (int i = 0; i < 3; ++i)
-        v[i] = S::select(lanes, near[i], v[i]), v_low[i] = S::select(lanes, S(0), v_low[i]);
+        v[i] = S::select(lanes, v_near[i], v[i]), v_low[i] = S::select(lanes, S(0), v_low[i]);
     }
-  } else if (square < close) {
-    v = nearRotation<S, P>(Q0, Q1), v_low = Vector3<S>(S(0), S(0), S(0));
+  } else if (square < close) {  // of quaternions off unit
+    v = nearRotation<S, P>(Q0, Q1, sign<S>(cosine)).v, v_low = Vector3<S>(S(0), S(0), S(0));
   }
   return exp_log_detail::RotationLogarithm<S, P>(v, v_low, DoubleWord<S>(absolute<S>(w.high), S(s * w.low)),
-                                                 DoubleWord<S>(product_excess<S>(Q0.excess, Q1.excess)));
+                                                 DoubleWord<S>(excess));
 }
 
 /// integrateSE3 and differenceSE3 for translations that can be split into high and low parts without overflow

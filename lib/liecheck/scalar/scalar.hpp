@@ -11,8 +11,10 @@
 #define LIECHECK_FMA
 #endif
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -95,10 +97,16 @@ template <Scalar S>
   return S(fabs(a));
 }
 
-/// -1 for a < 0, 1 for a > 0, either at 0. It has no branch for floating-point types, for speed.
+/// -1 for a < 0, 1 for a > 0, either at 0. It has no branch for floating-point types, for speed. Float and double take
+/// integers: gcc loads two numbers for copysign of one that it has just stored, which stalls.
 template <Scalar S>
 [[gnu::always_inline]] inline S sign(const S& a) {
-  if constexpr (std::is_floating_point_v<Lane<S>>) {
+  if constexpr (std::is_same_v<S, double>) {
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & 0x8000000000000000u) |
+                                 0x3ff0000000000000u);
+  } else if constexpr (std::is_same_v<S, float>) {
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(a) & 0x80000000u) | 0x3f800000u);
+  } else if constexpr (std::is_floating_point_v<Lane<S>>) {
     using std::copysign;
     return copysign(S(1), a);
   } else {

@@ -73,6 +73,21 @@ struct InverseSincSeries {
   static constexpr S ratio(int j) { return S(j) / S(2 * j + 1); }
 };
 
+/// h / sin h = sum_j ((2j)! / (2^j j!)^2 / (2j + 1)) y^j for y = sin^2 h in [0, 1/256].
+template <Scalar S>
+struct NearInverseSincSeries {
+  static constexpr int most = std::numeric_limits<S>::digits / 8 + 10, outer = 2;
+  static constexpr S domain() { return S(1) / S(256); }
+  static constexpr S first() { return S(1); }
+  static constexpr S ratio(int j) { return S((2 * j - 1) * (2 * j - 1)) / S(2 * j * (2 * j + 1)); }
+};
+/// (1 - h cot h) / y for the same y.
+template <Scalar S>
+struct NearAlongSeries : NearInverseSincSeries<S> {
+  static constexpr S first() { return S(1) / S(3); }
+  static constexpr S ratio(int j) { return S(2 * j) / S(2 * j + 3); }
+};
+
 /// A series economised on its domain (Lanczos 1938; Clenshaw 1962). It starts with the first `most` terms of
 /// Taylor's series. Subtracting a multiple of the shifted Chebyshev polynomial removes the highest power.
 /// This is repeated while the changes sum to less than eps/32 of the first term. `terms` coefficients remain.
@@ -297,6 +312,19 @@ struct LogarithmCoefficients {
   DoubleWord<S> ratio;  ///< angle_over_sine before rounding: 2 r + 2 r (h / sin h (1 - e/2) - 1)
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
       : LogarithmCoefficients(squared_sine, cosine, excess_of(squared_sine, cosine)) {}
+  /// |v| <= 1/16 and e = |Q|^2 - 1 with e^2 < eps/8; w is not needed.
+  [[gnu::always_inline]] static LogarithmCoefficients near(const S& squared_sine, const S& e) {
+    const S y = mul_add(S(-e), squared_sine, squared_sine),
+            argument = y + std::numeric_limits<S>::epsilon() / S(512),
+            series = y * stumpff_detail::evaluate<stumpff_detail::NearInverseSincSeries, 1>(argument),
+            slope = stumpff_detail::evaluate<stumpff_detail::NearAlongSeries>(argument);
+    LogarithmCoefficients c;
+    c.ratio = {S(2), S(2) * mul_add(S(e / S(-2)), S(1) + series, series)};
+    c.angle_over_sine = c.ratio.high + c.ratio.low;
+    c.alpha = mul_add(S(-y), slope, S(1));
+    c.along = mul_add(S(-e), slope, slope);
+    return c;
+  }
   /// excess is |Q|^2 - 1.
   [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const DoubleWord<S>& cosine,
                                                const DoubleWord<S>& excess) {
@@ -316,6 +344,7 @@ struct LogarithmCoefficients {
   }
 
  private:
+  LogarithmCoefficients() = default;
   static DoubleWord<S> excess_of(const S& squared_sine, const S& cosine) {
     const auto square = two_prod<S>(cosine, cosine);
     const auto sum = two_sum<S>(square.high, squared_sine);

@@ -74,11 +74,12 @@ Matrix3<S> eulerToMatrix(const EulerOrder& order, const Vector3<S>& angles) {
 template <Scalar S>
 Vector3<S> eulerFromQuaternion(const EulerOrder& order, const SO3<S>& Q) {
   using std::atan2;
-  if (Q.to_vector().isZero(S(0))) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
+  const Vector4<S> scaled = unit_vector_detail::atUnitScale(
+      [](const Vector4<S>& x) __attribute__((always_inline)) { return x; }, Q.to_vector());
   // The formulas are those of static axes i, j, k; rotating axes are static ones in the opposite order.
   const int i = order.rotating ? order.k : order.i, j = order.j, k = 3 - i - j;
-  const S sign((j - i + 3) % 3 == 1 ? 1 : -1), w = Q.w();
-  const Vector3<S> v = Q.vec();
+  const S sign((j - i + 3) % 3 == 1 ? 1 : -1), w = scaled[3];
+  const Vector3<S> v(scaled[0], scaled[1], scaled[2]);
   S x = w, y = v[i], z = v[j], u = sign * v[k];
   if (!order.proper()) x = w - v[j], y = v[i] + sign * v[k], z = v[j] + w, u = sign * v[k] - v[i];
   const auto length = [](const S& p, const S& q) {

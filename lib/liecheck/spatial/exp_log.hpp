@@ -72,7 +72,10 @@ struct RotationLogarithm {
   /// The quaternion is v = sine + sine_low, w = cosine >= 0, with |Q|^2 = 1 + excess.
   [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
                                            const DoubleWord<S>& cosine, const DoubleWord<S>& excess)
-      : v(sine), c(dot<S>(v, v), cosine, excess) {
+      : RotationLogarithm(sine, sine_low, LogarithmCoefficients<S>(dot<S>(sine, sine), cosine, excess)) {}
+  [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
+                                           const LogarithmCoefficients<S>& coefficients)
+      : v(sine), c(coefficients) {
     phi = each<S>([&](int i) {
       return mul_add(c.ratio.high, v[i], mul_add(c.ratio.low, v[i], S(c.ratio.high * sine_low[i])));
     });

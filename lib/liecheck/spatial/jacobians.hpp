@@ -81,6 +81,12 @@ struct BlockCoefficients {
     return b;
   }
 
+  /// The blocks of J_r, which are those of J_l at -phi and -rho.
+  [[gnu::always_inline]] BlockCoefficients right() const {
+    BlockCoefficients b = *this;
+    b.b1 = -b1, b.r0 = -r0, b.r2 = -r2;
+    return b;
+  }
   [[gnu::always_inline]] Matrix3<S> block() const { return exp_log_detail::quadratic<S>(axis, b1, b2); }
   /// r1 ([a][rho] + [rho][a]) + r3 (a . rho) [a]^2 = [a][u] + [u][a], u = r1 rho + r3 (a . rho) / 2 a.
   [[gnu::always_inline]] Matrix3<S> coupling(const Vector3<S>& rho) const {
@@ -133,7 +139,12 @@ Matrix3<S> leftJacobian(const Vector3<S>& phi) {
 /// J_r(phi) = J_l(-phi) [3 x 3].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobian(const Vector3<S>& phi) {
-  return leftJacobian<S, P>(-phi);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_jacobian<T, Q>(
+            x, [](const auto& b) __attribute__((always_inline)) { return b.right().block(); });
+      },
+      phi);
 }
 /// J_l^-1(phi) [3 x 3]. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
@@ -148,7 +159,12 @@ Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
 /// J_r^-1(phi) = J_l^-1(-phi) [3 x 3].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobianInverse(const Vector3<S>& phi) {
-  return leftJacobianInverse<S, P>(-phi);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_inverse<T, Q>(
+            x, [](const auto& b) __attribute__((always_inline)) { return b.right().block(); });
+      },
+      phi);
 }
 
 /// J_l(xi) [6 x 6], xi = (rho [m], phi [rad]).
@@ -164,7 +180,13 @@ Matrix6<S> leftJacobian(const Motion<S>& xi) {
 /// J_r(xi) = J_l(-xi) [6 x 6].
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobian(const Motion<S>& xi) {
-  return leftJacobian<S, P>(-xi);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_jacobian<T, Q>(
+            x.angular(), [&x](const auto& b)
+                             __attribute__((always_inline)) { return b.right().matrix(x.linear()); });
+      },
+      xi);
 }
 /// J_l^-1(xi) [6 x 6]. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
@@ -179,7 +201,13 @@ Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
 /// J_r^-1(xi) = J_l^-1(-xi) [6 x 6].
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobianInverse(const Motion<S>& xi) {
-  return leftJacobianInverse<S, P>(-xi);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_inverse<T, Q>(
+            x.angular(), [&x](const auto& b)
+                             __attribute__((always_inline)) { return b.right().matrix(x.linear()); });
+      },
+      xi);
 }
 
 /// Pinocchio's names: Jexp is J_r, and Jlog is J_r^-1 at the logarithm.

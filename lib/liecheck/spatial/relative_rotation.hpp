@@ -3,8 +3,8 @@
 // interpolation (slerp) and the minimal rotation.
 //
 // Q and -Q are the same rotation, and every function takes the shorter of both arcs. Quaternions and directions of
-// any finite norm but zero stand for their normalised values. The axis of a relative rotation is that of
-// differenceSE3 (multibody/se3_configuration.hpp), whose error is relative however small the angle is.
+// any finite norm stand for their normalised values, and zero is refused (std::invalid_argument). The axis of a relative
+// rotation is that of differenceSE3 (multibody/se3_configuration.hpp), whose error is relative however small the angle is.
 
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/so3.hpp>
@@ -31,6 +31,14 @@ template <Scalar S, int N>
     return sqrt(square);
   return scaledLength<S, N>(v);
 }
+/// s = sgn(a . b) if |a| and |b| differ by less than a factor of 2, and otherwise 0: the products of a with b - s a are those
+/// of a with b, and their terms do not cancel if a and s b are close. If the norms differ, b - s a would be rounded.
+template <Scalar S, int N>
+[[gnu::always_inline]] inline S multipleToSubtract(const Eigen::Matrix<S, N, 1>& a,
+                                                   const Eigen::Matrix<S, N, 1>& b, const S& product) {
+  const S aa = unit_vector_detail::square<S, N>(a), bb = unit_vector_detail::square<S, N>(b);
+  return aa < S(4) * bb && bb < S(4) * aa ? sign<S>(product) : S(0);
+}
 /// A unit vector that is perpendicular to the unit vector a. Error 3 eps.
 template <Scalar S>
 Vector3<S> perpendicular(const Vector3<S>& a) {
@@ -55,12 +63,13 @@ Vector3<S> perpendicularPart(const Vector3<S>& c, const Vector3<S>& a) {
 template <Scalar S>
 S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
   using std::atan2;
-  const Vector4<S>& a = Q0.to_vector();
-  Vector4<S> b = Q1.to_vector();
-  S w = a.dot(b);
-  if (w < S(0)) b = -b, w = -w;
-  const Vector3<S> v = (Q0.inverse() * SO3<S>(Vector4<S>(b - a))).vec();
-  return S(2) * S(atan2(relative_rotation_detail::scaledLength<S, 3>(v), w));
+  return unit_vector_detail::atUnitScale(
+      [](const Vector4<S>& a, const Vector4<S>& b) __attribute__((always_inline)) {
+        const S w = a.dot(b), s = relative_rotation_detail::multipleToSubtract<S, 4>(a, b, w);
+        const Vector3<S> v = (SO3<S>(a).inverse() * SO3<S>(Vector4<S>(b - s * a))).vec();
+        return S(S(2) * S(atan2(relative_rotation_detail::scaledLength<S, 3>(v), absolute<S>(w))));
+      },
+      Q0.to_vector(), Q1.to_vector());
 }
 
 /// The angle [rad] by which Q = (v, w) turns about `axis` [3], in [-pi, pi]: 2 atan2(v . axis/|axis|, w), that of
@@ -70,8 +79,13 @@ S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
 template <Scalar S>
 S twistAngle(const SO3<S>& Q, const Vector3<S>& axis) {
   using std::atan2;
-  const S s = dot<S>(Q.vec(), axis), w = Q.w() * relative_rotation_detail::scaledLength<S, 3>(axis);
-  return w < S(0) ? S(S(2) * S(atan2(S(-s), S(-w)))) : S(S(2) * S(atan2(s, w)));
+  return unit_vector_detail::atUnitScale(
+      [](const Vector4<S>& q, const Vector3<S>& a) __attribute__((always_inline)) {
+        const S s = dot<S>(Vector3<S>(q[0], q[1], q[2]), a),
+                w = q[3] * relative_rotation_detail::scaledLength<S, 3>(a);
+        return w < S(0) ? S(S(2) * S(atan2(S(-s), S(-w)))) : S(S(2) * S(atan2(s, w)));
+      },
+      Q.to_vector(), axis);
 }
 
 /// The rotation at t of the shorter arc from Q0 (t = 0) to Q1 (t = 1): Q0 (Q0* Q1)^t = Q0 exp(t log(Q0* Q1)), as a
@@ -94,7 +108,6 @@ SO3<S> slerp(const SO3<S>& Q0, const SO3<S>& Q1, const S& t) {
 template <Scalar S>
 SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
   using namespace relative_rotation_detail;
-  if (a.isZero(S(0)) || b.isZero(S(0))) throw std::invalid_argument("a zero vector has no direction");
   const Vector3<S> from = normalizedUnit<S, 3>(a), to = normalizedUnit<S, 3>(b), plus = from + to,
                    minus = to - from;
   const bool acute = S(0) < dot<S>(from, to);
@@ -111,9 +124,13 @@ SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
 template <Scalar S>
 S angleBetween(const Vector3<S>& a, const Vector3<S>& b) {
   using std::atan2;
-  const S cosine = dot<S>(a, b);
-  const Vector3<S> c = cross<S>(a, S(0) < cosine ? Vector3<S>(b - a) : Vector3<S>(a + b));
-  return atan2(relative_rotation_detail::length<S, 3>(c), cosine);
+  return unit_vector_detail::atUnitScale(
+      [](const Vector3<S>& x, const Vector3<S>& y) __attribute__((always_inline)) {
+        const S cosine = dot<S>(x, y), s = relative_rotation_detail::multipleToSubtract<S, 3>(x, y, cosine);
+        const Vector3<S> c = cross<S>(x, each<S>([&](int i) { return S(y[i] - s * x[i]); }));
+        return S(atan2(relative_rotation_detail::length<S, 3>(c), cosine));
+      },
+      a, b);
 }
 
 /// The unit vector at t in [0, 1] of the shorter arc from direction a (t = 0) to direction b (t = 1), from the nearer end:

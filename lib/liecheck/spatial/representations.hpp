@@ -23,10 +23,12 @@ struct AxisAngle {
   Vector4<S> to_vector() const { return Vector4<S>(axis[0], axis[1], axis[2], angle); }
 };
 
-/// The unit quaternion of the rotation nearest to R [3 x 3], |R^T R - I| <= 8 eps. Its largest number among the four is
-/// positive. Error 2 eps of the rotation, 4 eps of the norm. Source: Shepperd 1978.
+/// The unit quaternion of the rotation nearest to R [3 x 3], |R^T R - I| <= 8 eps, or <= 1/2 for scalars wider than
+/// double. Its largest number among the four is positive. Error 2 eps of the rotation, 4 eps of the norm.
+/// Source: Shepperd 1978.
 template <Scalar S>
-SO3<S> toQuaternion(const Matrix3<S>& R) {
+SO3<S> toQuaternion(const Matrix3<S>& stored) {
+  const Matrix3<S>& R = unit_vector_detail::firstOrderOrthogonal<S>(stored);
   // As SO3::fromMatrix, with E = R^T R - I to eps instead of eps^2, and with what a sum a + b loses added to the small terms
   // of C = -R E/2.
   const auto gram = [&R](int i, int j) __attribute__((always_inline)) {
@@ -90,13 +92,15 @@ SO3<S> toQuaternion(const Matrix3<S>& R) {
 template <Scalar S>
 AxisAngle<S> toAxisAngle(const SO3<S>& Q) {
   using std::atan2;
-  const S length = relative_rotation_detail::length<S, 3>(Q.vec()), w = absolute<S>(Q.w());
-  if (length == S(0)) {
-    if (w == S(0)) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
-    return {Vector3<S>(Vector3<S>::UnitX()), S(0)};
-  }
-  const Vector3<S> n = normalizedUnit<S, 3>(Q.vec());
-  return {Q.w() < S(0) ? Vector3<S>(-n) : n, S(S(2) * S(atan2(length, w)))};
+  return unit_vector_detail::atUnitScale(
+      [](const Vector4<S>& q) __attribute__((always_inline)) {
+        const Vector3<S> v(q[0], q[1], q[2]);
+        const S length = relative_rotation_detail::length<S, 3>(v);
+        if (length == S(0)) return AxisAngle<S>{Vector3<S>(Vector3<S>::UnitX()), S(0)};
+        const Vector3<S> n = normalizedUnit<S, 3>(v);
+        return AxisAngle<S>{q[3] < S(0) ? Vector3<S>(-n) : n, S(S(2) * S(atan2(length, absolute<S>(q[3]))))};
+      },
+      Q.to_vector());
 }
 /// Q = (sin(angle/2) axis, cos(angle/2)) of a unit axis. Error 3 eps of the rotation, 6 eps of the norm.
 template <Scalar S>
@@ -122,9 +126,12 @@ SO3<S> fromGibbs(const Vector3<S>& g) {
 /// Throws std::invalid_argument if Q = 0.
 template <Scalar S>
 Vector3<S> toModifiedRodrigues(const SO3<S>& Q) {
-  const S n = relative_rotation_detail::length<S, 4>(Q.to_vector()), w = Q.w();
-  if (n == S(0)) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
-  return Q.vec() / (w < S(0) ? S(w - n) : S(w + n));
+  return unit_vector_detail::atUnitScale(
+      [](const Vector4<S>& q) __attribute__((always_inline)) {
+        const S n = relative_rotation_detail::length<S, 4>(q), w = q[3];
+        return Vector3<S>(Vector3<S>(q[0], q[1], q[2]) / (w < S(0) ? S(w - n) : S(w + n)));
+      },
+      Q.to_vector());
 }
 /// Q = (2 s, 1 - |s|^2)/(1 + |s|^2) of parameters of any length: |s| > 1 is the shadow of -s/|s|^2. Error 4 eps.
 template <Scalar S>
@@ -159,11 +166,13 @@ Matrix3<S> nearestRotation(const Matrix3<S>& A) {
 }
 
 /// The rotation R [3 x 3] with x along the first column of A and y in the plane of the first two (Gram and Schmidt),
-/// |A^T A - I| <= 0.4, det A > 0. Error 8 eps. Throws std::invalid_argument if a column is zero.
+/// |A^T A - I| <= 0.4, det A > 0. Error 8 eps. Throws std::invalid_argument if a column is zero or det A is not above 0.
 template <Scalar S>
 Matrix3<S> orthonormalized(const Matrix3<S>& A) {
   const Vector3<S> x = normalizedUnit<S, 3>(Vector3<S>(A.col(0))), b = A.col(1),
                    y = normalizedUnit<S, 3>(Vector3<S>(b - dot<S>(x, b) * x)), z = cross<S>(x, y);
+  if (!(S(0) < dot<S>(z, Vector3<S>(A.col(2))))) [[unlikely]]
+    throw std::invalid_argument("a matrix whose determinant is not above 0 is near no rotation");
   return rows<S>(x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]);
 }
 

@@ -153,17 +153,19 @@ class SO3 {
   };
 
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I. One Newton step of the
-  /// polar factor computes it with an error O(|R^T R - I|^2). The quaternion follows from the largest of the
-  /// four pivots (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the
-  /// rotation, and 2 eps relative of its vector part if the angle is small. Fast precision omits the Newton
-  /// step, which adds |R^T R - I| to the error.
+  /// polar factor computes it with an error O(|R^T R - I|^2); for scalars wider than double, steps are repeated
+  /// until that is below eps. The quaternion follows from the largest of the four pivots (Shepperd 1978). Its
+  /// norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps, or <= 1/2 for wider scalars: 2 eps of the rotation, and
+  /// 2 eps relative of its vector part if the angle is small. Fast precision omits the Newton steps, which adds
+  /// |R^T R - I| to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     return doubleWordsFromMatrix<P>(R).high;
   }
   /// The result of fromMatrix before its last rounding.
   template <Precision P = Precision::standard>
-  static DoubleWords doubleWordsFromMatrix(const Matrix3<S>& R) {
+  static DoubleWords doubleWordsFromMatrix(const Matrix3<S>& stored) {
+    const Matrix3<S>& R = unit_vector_detail::firstOrderOrthogonal<S, P>(stored);
     if constexpr (P == Precision::fast)
       return largestPivot<P>(R, Matrix3<S>(Matrix3<S>::Zero()), Vector3<S>(Vector3<S>::Zero()));
     // The polar factor is R (I - E/2) = R + C with E = R^T R - I and C = -R E / 2. The antisymmetric part of

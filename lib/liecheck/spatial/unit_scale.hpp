@@ -2,6 +2,7 @@
 // Powers of two that bring the norm of a quaternion or of (cos, sin) near 1 without a rounding error.
 
 #include <liecheck/scalar/double_word.hpp>
+#include <liecheck/scalar/precision.hpp>
 #include <liecheck/spatial/types.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -11,8 +12,9 @@ namespace liecheck {
 namespace unit_vector_detail {
 
 template <int N>
-inline constexpr const char* zero_is_refused =
-    N == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle";
+inline constexpr const char* zero_is_refused = N == 4   ? "a zero quaternion is not a rotation"
+                                               : N == 3 ? "a zero vector has no direction"
+                                                        : "(cos, sin) = (0, 0) is not an angle";
 
 /// True if |u|^2 is in (1/2, 3/2); false for NaN. excess = |u|^2 - 1.
 template <Scalar S>
@@ -31,6 +33,26 @@ struct RoundedTo<DoubleWord<S>> : std::type_identity<S> {};
 template <Scalar S>
 [[gnu::always_inline]] inline bool firstOrderSuffices(const S& excess) {
   return excess * excess < S(eps<typename RoundedTo<S>::type>() / 4);
+}
+
+/// R, or for scalars wider than double, whose matrices may hold the numbers of narrower ones, a matrix X with the same
+/// nearest rotation for which firstOrderSuffices: X <- X (3 I - X^T X)/2 (Higham 2008, eq. 8.20), which squares
+/// |X^T X - I|. Domain: |R^T R - I| <= 1/2; the steps end where they do not converge.
+template <Scalar S, Precision P = Precision::standard>
+[[gnu::always_inline]] inline decltype(auto) firstOrderOrthogonal(const Matrix3<S>& R) {
+  if constexpr (std::numeric_limits<S>::digits <= 64 || P == Precision::fast ||
+                !std::is_same_v<typename RoundedTo<S>::type, S>) {
+    return R;
+  } else {
+    Matrix3<S> X = R;
+    for (S last(2);;) {
+      const Matrix3<S> E = Matrix3<S>(X.transpose() * X) - Matrix3<S>(Matrix3<S>::Identity());
+      S size(0);
+      for (int i = 0; i < 9; ++i) size += absolute<S>(E.data()[i]);
+      if (firstOrderSuffices<S>(size) || !(size < last)) return X;
+      X = Matrix3<S>(X - Matrix3<S>(X * E) / S(2)), last = size;
+    }
+  }
 }
 
 /// |u|^2.
@@ -71,6 +93,20 @@ template <Scalar S, int N>
   if (!(scale < S(2))) u /= S(2);
   if (scale < S(1) / S(2)) u *= S(2);
   return u;
+}
+
+/// f(u...), with every u scaled as above unless all |u|^2 are between 2^-20 and 2^20, so that products of the vectors neither
+/// overflow nor underflow.
+template <class F, Scalar S, int... N>
+[[gnu::noinline, gnu::cold]] auto scaledFirst(F f, const Eigen::Matrix<S, N, 1>&... u) {
+  return f(scaledByPowerOfTwo<S, N>(u)...);
+}
+template <class F, Scalar S, int... N>
+[[gnu::always_inline]] inline auto atUnitScale(F f, const Eigen::Matrix<S, N, 1>&... u) {
+  const S most(1 << 20), least = S(1) / most;
+  if (((least < square<S, N>(u) && square<S, N>(u) < most) && ...)) [[likely]]
+    return f(u...);
+  return scaledFirst<F, S, N...>(f, u...);
 }
 
 template <Scalar S, int N>

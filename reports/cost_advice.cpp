@@ -1,0 +1,174 @@
+#include <reports/cost_advice.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <reports/cost_points.hpp>
+#include <reports/html.hpp>
+
+namespace liecheck::reports {
+
+namespace {
+
+/// What liecheck measures to show what a formula can reach.
+const std::map<std::string, std::string> forms = {{"textbook", "the closed form with a cutoff"},
+                                                  {"liecheck:fast", "a series or half angles"},
+                                                  {"liecheck", "a compensated series"},
+                                                  {"liecheck:tight", "double words"}};
+
+double digits(const RegionPoint& p) {
+  return std::isinf(p.error) ? 0 : std::max(0.0, -std::log10(p.error));
+}
+
+/// Not slower within the spreads of both.
+bool is_as_fast(const RegionPoint& a, const RegionPoint& b) {
+  return a.low <= b.high;
+}
+
+/// How many of `best` digits are lost, and where.
+std::string lost_text(const RegionPoint& p, double best) {
+  if (std::isinf(p.error)) return "has inputs without a result, at " + escaped(p.where);
+  return fmt::format("loses {:.0f} digits, at {}", best - digits(p), escaped(p.where));
+}
+
+/// The fastest row that has all digits of the most accurate one but the last: sampled maxima tell less of less.
+const RegionPoint& fastest_accurate(const std::vector<RegionPoint>& points) {
+  const auto of = [](const RegionPoint& p) { return digits(p); };
+  const double most = digits(*std::ranges::max_element(points, {}, of));
+  return *std::ranges::find_if(points, [&](const RegionPoint& p) { return digits(p) >= most - 1; });
+}
+
+std::string among_libraries(const std::vector<RegionPoint>& points) {
+  const RegionPoint& take = fastest_accurate(points);
+  const double whole = std::floor(digits(take));
+  const std::string text =
+      fmt::format("For {:.0f} digits take <b>{}</b> ({})", whole, escaped(take.name()), time_text(take.ns));
+  for (const RegionPoint& p : points)
+    if (p.subject != take.subject && p.scalar == take.scalar && is_as_fast(p, take) && digits(p) <= whole - 2)
+      return text + fmt::format("; {} ({}) {}", escaped(p.subject), time_text(p.ns), lost_text(p, whole)) +
+             ".";
+  return text + ".";
+}
+
+std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint>& forms_of_it) {
+  const auto named = [](const RegionPoint& p) {
+    return fmt::format("{} ({})", forms.at(p.subject), escaped(p.subject));
+  };
+  const std::string text =
+      fmt::format("{}: {:.1f} digits, {}", escaped(own.scalar), digits(own), time_text(own.ns));
+  if (forms_of_it.empty()) return text;
+  const RegionPoint& more = fastest_accurate(forms_of_it);
+  if (const double won = digits(more) - digits(own); won > 1) {
+    const std::string price = own.high < more.low   ? "+" + time_text(more.ns - own.ns)
+                              : more.high < own.low ? "−" + time_text(own.ns - more.ns)
+                                                    : "the same time";
+    return text + fmt::format("; {} wins <b>{:+.1f} digits for {}</b>, at {}", named(more), won, price,
+                              escaped(own.where));
+  }
+  const auto faster = std::ranges::find_if(
+      forms_of_it, [&](const RegionPoint& p) { return digits(p) >= digits(own) && p.high < own.low; });
+  if (faster == forms_of_it.end()) return text;
+  return text + fmt::format("; {} has no fewer and takes {}", named(*faster), time_text(faster->ns));
+}
+
+}  // namespace
+
+std::vector<CostRegion> cost_regions(const Json& cost) {
+  std::vector<CostRegion> all = {{"near 0", {}}, {"moderate", {}}, {"near π", {}}};
+  for (const Json& band : list_in(cost, "bands")) {
+    const std::size_t region = band["axis"] == "pi_minus_theta"    ? 2
+                               : band["high"].get<double>() <= 0.1 ? 0
+                                                                   : 1;
+    all[region].bands.push_back(band["band"]);
+  }
+  std::erase_if(all, [](const CostRegion& r) { return r.bands.empty(); });
+  return all;
+}
+
+CostRegion every_angle(const Json& cost) {
+  CostRegion all{"every angle", {}};
+  for (const Json& band : list_in(cost, "bands")) all.bands.push_back(band["band"]);
+  if (all.bands.empty()) all.bands = {"mixed"};  // of an older record
+  return all;
+}
+
+std::vector<RegionPoint> region_points(const Json& cost, const std::string& operation,
+                                       const CostRegion& region) {
+  std::vector<RegionPoint> points;
+  for (const Json& row : cost["rows"]) {
+    if (row["operation"] != operation || row["error"].is_null() || other_flags(row)) continue;
+    RegionPoint p{row["subject"], row["scalar"]};
+    double sets = 0, worst = -1;
+    for (const Json& set : row["sets"]) {
+      const Json& latency = set["latency"];
+      if (latency.is_null() || std::ranges::count(region.bands, set["set"].get<std::string>()) == 0) continue;
+      const double unit = latency["ns"].get<double>() / latency["ratio"].get<double>();
+      ++sets, p.ns += latency["ns"].get<double>();
+      p.low += unit * latency["low"].get<double>(), p.high += unit * latency["high"].get<double>();
+      for (const Json& b : set["blocks"]) {
+        if (b["block"].get_ref<const std::string&>().find("defect") != std::string::npos) continue;
+        const bool none =
+            b["not_finite"] > 0 || b["wrong_branch"] > 0 || b["refused"] > 0 || b["unresolved"] > 0;
+        const double error =
+            none ? std::numeric_limits<double>::infinity() : figure(b["max_eps"]) * row["eps"].get<double>();
+        if (error > worst) worst = error, p.where = set["set"];
+      }
+    }
+    if (sets == 0 || worst < 0) continue;
+    p.ns /= sets, p.low /= sets, p.high /= sets,
+        p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
+    points.push_back(p);
+  }
+  std::ranges::sort(points, {}, &RegionPoint::ns);
+  return points;
+}
+
+std::vector<std::string> libraries_in(const Json& cost) {
+  Distinct<std::string> all;
+  for (const Json& row : cost["rows"])
+    if (!row["error"].is_null() && !other_flags(row) && !forms.contains(row["subject"]))
+      all.add(row["subject"]);
+  return {all.begin(), all.end()};
+}
+
+std::string cost_sentence(const std::vector<RegionPoint>& points, const std::vector<std::string>& libraries) {
+  if (libraries.size() != 1) return points.empty() ? "" : among_libraries(points);
+  std::string text;
+  for (const char* scalar : {"double", "float"}) {
+    const RegionPoint* own = nullptr;
+    std::vector<RegionPoint> forms_of_it;
+    for (const RegionPoint& p : points) {
+      if (p.scalar != scalar) continue;
+      if (p.subject == libraries.front()) own = &p;
+      if (forms.contains(p.subject)) forms_of_it.push_back(p);
+    }
+    if (own) text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it) + ".";
+  }
+  return text;
+}
+
+std::string cost_advice(const Json& cost) {
+  const auto regions = cost_regions(cost);
+  const auto libraries = libraries_in(cost);
+  Distinct<std::string> operations;
+  for (const Json& row : cost["rows"]) operations.add(row["operation"]);
+  Cells heads = {"operation"};
+  for (const CostRegion& r : regions) heads.push_back(r.name);
+  std::vector<Cells> rows;
+  for (const std::string& operation : operations) {
+    Cells row = {code(operation)};
+    for (const CostRegion& r : regions)
+      row.push_back(cost_sentence(region_points(cost, operation, r), libraries));
+    if (std::any_of(row.begin() + 1, row.end(), [](const std::string& s) { return !s.empty(); }))
+      rows.push_back(row);
+  }
+  return rows.empty() ? ""
+                      : table(libraries.size() == 1 ? "What another form of the formula would win, as "
+                                                      "measured here; nothing where none wins"
+                                                    : "What to take, and what a faster choice loses",
+                              heads, rows);
+}
+
+}  // namespace liecheck::reports

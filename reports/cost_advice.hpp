@@ -1,0 +1,43 @@
+#pragma once
+// What accuracy costs near 0, at moderate angles and near pi: one sentence for each operation and region.
+
+#include <reports/record.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::reports {
+
+/// One implementation of an operation in one region of the angle.
+struct RegionPoint {
+  std::string subject, scalar;
+  double ns = 0, low = 0,
+         high = 0;    ///< latency of a call and its spread, the mean over the bands of the region
+  double error = 0;   ///< largest relative error found, at least eps/2; infinite if a case has no result
+  std::string where;  ///< the band of the region with this error
+  std::string name() const { return subject + " in " + scalar; }
+};
+
+struct CostRegion {
+  std::string name;
+  std::vector<std::string> bands;
+};
+/// near 0, moderate and near pi: those for which the record has bands.
+std::vector<CostRegion> cost_regions(const Json& cost);
+/// All bands of the record, as one region.
+CostRegion every_angle(const Json& cost);
+
+/// The timed rows of an operation in a region, the fastest first.
+std::vector<RegionPoint> region_points(const Json& cost, const std::string& operation,
+                                       const CostRegion& region);
+
+/// The subjects that are not forms of the program's own: the textbook and liecheck in each precision.
+std::vector<std::string> libraries_in(const Json& cost);
+
+/// A sentence (HTML) that says which of the libraries to take for the most digits and what is lost with a faster one; of one
+/// library beside liecheck's own forms, what the formula could reach: which form wins how many digits for how many ns.
+std::string cost_sentence(const std::vector<RegionPoint>& points, const std::vector<std::string>& libraries);
+
+/// The sentences of all operations as a table; empty without bands.
+std::string cost_advice(const Json& cost);
+
+}  // namespace liecheck::reports

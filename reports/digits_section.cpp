@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <reports/html.hpp>
+#include <reports/picture.hpp>
+
+namespace liecheck::reports {
+namespace {
+
+using Place = std::array<std::string, 3>;  // operation, subject, scalar
+using Boxes = std::array<std::vector<const Json*>, regions.size()>;
+
+/// One box: the digits that the worst case keeps, N for NaN or Inf, B for a wrong branch, or a dot.
+std::string box(const Looks& looks, const std::vector<const Json*>& rows, bool wide) {
+  if (rows.empty()) return "<i>·</i>";
+  const Json& worst = **std::ranges::max_element(rows, {}, [](const Json* r) { return severity(*r); });
+  const auto any = [&](const char* status) {
+    return std::ranges::any_of(rows, [&](const Json* r) { return (*r)["status"] == status; });
+  };
+  const std::string outcome = outcome_of(worst);
+  const double kept = looks.digits.all(worst) - looks.digits.lost(worst);
+  const std::string words = !outcome.empty() ? outcome.substr(0, 1) == "N" ? "N" : "B"
+                            : wide           ? fmt::format("{:.1f}", kept)
+                                             : fmt::format("{}", std::floor(kept + .05));
+  const char* fails = outcome.empty() && looks.digits.lost(worst) < 2 ? "m" : "f";  // mildly, or not
+  return fmt::format("<i class={}>{}</i>", any("fail") ? fails : any("pass") ? "p" : "o", words);
+}
+
+}  // namespace
+
+std::string digits_table(const Looks& looks) {
+  std::map<Place, Boxes> cells;
+  Distinct<std::string> operations;
+  Distinct<std::pair<std::string, std::string>> columns;
+  Distinct<std::string> subjects;
+  for (const Json& row : looks.merged.results) {
+    if (row["count"] <= row.value("outside_domain", 0)) continue;
+    operations.add(row["operation"]), subjects.add(row["subject"]),
+        columns.add({row["subject"], row["scalar"]});
+    cells[{row["operation"], row["subject"], row["scalar"]}][region_of(row)].push_back(&row);
+  }
+  std::vector<std::string> order = operations;  // those that fail come first
+  std::ranges::stable_partition(order, [&](const std::string& operation) {
+    return std::ranges::any_of(looks.wrong, [&](const auto& w) { return w.second == operation; });
+  });
+  std::map<Place, double> times;
+  for (const Json& record : looks.merged.records)
+    if (record.contains("cost"))
+      for (const CostPoint& p : cost_points(record["cost"]))
+        times[{p.operation, p.subject, p.scalar}] = p.latency;
+  std::string heads = "<tr><th scope=\"col\" rowspan=\"2\">operation</th>", scalars = "<tr>", names;
+  for (const Region& r : regions) names += fmt::format("<i>{}</i>", r.brief);
+  if (!times.empty()) names += "<em></em>";
+  std::size_t wide_columns = 0;
+  for (const std::string& subject : subjects) {
+    int span = 0;
+    for (const auto& [s, scalar] : columns)
+      if (s == subject) {
+        ++span, ++wide_columns;
+        scalars += fmt::format(
+            "<th scope=\"col\" data-subject=\"{}\" data-scalar=\"{}\">{}{}<span class=\"boxes heads\" "
+            "aria-hidden=\"true\">{}</span></th>",
+            escaped(s), escaped(scalar), escaped(scalar),
+            times.empty() ? "" : ", <span class=\"faint\">ns</span>", names);
+      }
+    heads += fmt::format("<th scope=\"colgroup\" colspan=\"{}\" data-subject=\"{}\">{}{}</th>", span,
+                         escaped(subject), swatch(looks.of.at(subject)), escaped(subject));
+  }
+  std::string body;
+  for (const std::string& operation : order) {
+    body += fmt::format("<tr data-operation=\"{0}\"><th scope=\"row\">{0}</th>", escaped(operation));
+    for (const std::string& subject : subjects)
+      for (const auto& [s, scalar] : columns) {
+        if (s != subject) continue;
+        const auto cell = cells.find({operation, subject, scalar});
+        if (cell == cells.end()) {
+          body += "<td class=absent>–</td>";
+          continue;
+        }
+        std::string boxes;
+        for (const auto& rows : cell->second) boxes += box(looks, rows, wide_columns <= 2);
+        const auto time = times.find({operation, subject, scalar});
+        body += fmt::format("<td><button class=\"digits boxes\">{}{}</button></td>", boxes,
+                            time != times.end() && time->second > 0
+                                ? "<em>" +
+                                      (time->second < 1000 ? fmt::format("{:.3g}", time->second)
+                                                           : fmt::format("{:.0f}", time->second)) +
+                                      "</em>"
+                            : times.empty() ? ""
+                                            : "<em></em>");
+      }
+    body += "</tr>\n";
+  }
+  if (body.empty()) return "<p>The records hold no results.</p>\n";
+  return fmt::format(
+      "<table{}><caption class=\"spoken\">Digits that the worst case found keeps, by operation, library, "
+      "scalar and region of the angle</caption>"
+      "<thead>{}</tr>{}</tr></thead><tbody>{}</tbody></table>",
+      wide_columns <= 2 ? " class=\"wide\"" : "", heads, scalars, body);
+}
+
+}  // namespace liecheck::reports

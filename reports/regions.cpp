@@ -1,0 +1,108 @@
+#include <reports/regions.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <reports/summary.hpp>
+#include <sstream>
+
+namespace liecheck::reports {
+
+std::size_t region_of(const Json& row) {
+  const auto& band = row["band"].get_ref<const std::string&>();
+  const double low = row["low"].is_number() ? row["low"].get<double>() : 0,
+               high = row["high"].is_number() ? row["high"].get<double>() : 0;
+  if (row["axis"] == "theta") return high <= 1.001e-7 ? 0 : high <= 1.001e-2 ? 1 : 2;
+  if (band.starts_with("generic")) return 2;
+  if (row["axis"] == "pi_minus_theta") return low >= 0.999e-7 ? 3 : 4;
+  return band == "beyond pi" || band == "near 2pi k" || band == "huge" ? 5 : 6;
+}
+
+std::string outcome_of(const Json& row) {
+  if (row["not_finite"] > 0 || row["max_eps"].is_string()) return "NaN or Inf";
+  return row["wrong_branch"] > 0 ? "wrong branch" : "";
+}
+
+double severity(const Json& row) {
+  const double lost = judged(row);
+  return (row["status"] == "fail" ? 1e6 : 0) + (row["not_finite"] > 0 || !std::isfinite(lost) ? 3e3 : 0) +
+         (row["wrong_branch"] > 0 ? 2e3 : 0) + (lost > 1 && std::isfinite(lost) ? std::log10(lost) : 0);
+}
+
+Digits::Digits(const Merged& merged) {
+  for (const Json& record : merged.records)
+    for (const Json& s : list_in(record, "subjects")) eps_[{s["name"], s["scalar"]}] = s["eps"].get<double>();
+}
+
+double Digits::all(const Json& row) const {
+  const auto eps = eps_.find({row["subject"], row["scalar"]});
+  return -std::log10(eps == eps_.end() || eps->second <= 0 ? 0x1p-52 : eps->second);
+}
+
+double Digits::lost(const Json& row) const {
+  const double error = judged(row);
+  if (!outcome_of(row).empty() || !std::isfinite(error)) return all(row);
+  return std::clamp(std::log10(std::max(error, 1.0)), 0.0, all(row));
+}
+
+std::string Digits::words(const Json& row) const {
+  if (const std::string outcome = outcome_of(row); !outcome.empty()) return outcome;
+  const std::string missing = fmt::format("{:.1f}", lost(row)), whole = fmt::format("{:.1f}", all(row));
+  return missing == whole ? fmt::format("all {} digits lost", whole)
+                          : fmt::format("{} of {} digits lost", missing, whole);
+}
+
+std::vector<HardCase> hard_cases(const Merged& merged) {
+  std::vector<HardCase> all;
+  std::map<std::array<std::string, 3>, std::size_t> places;
+  for (const Json& record : merged.records)
+    for (const Json& hard : list_in(record, "hard_cases"))
+      for (const Json& cell : hard["cells"]) {
+        const auto [place, is_new] =
+            places.try_emplace({hard["name"], cell["subject"], cell["scalar"]}, all.size());
+        if (is_new) all.push_back({hard["name"], hard["class"], cell["subject"], cell["scalar"]});
+        HardCase& c = all[place->second];
+        const auto verdict = static_cast<std::size_t>(
+            std::ranges::find(hard_verdicts, cell["verdict"].get_ref<const std::string&>()) -
+            hard_verdicts.begin());
+        const bool failed = cell["failed"].get<bool>();
+        if (std::pair(failed, verdict) > std::pair(c.failed, c.verdict))
+          c.failed = failed, c.verdict = verdict;
+      }
+  return all;
+}
+
+std::string hard_words(const std::vector<HardCase>& cases, const std::string& subject) {
+  const auto of = [&](const HardCase& c) { return subject.empty() || c.subject == subject; };
+  const auto all = std::ranges::count_if(cases, of);
+  const auto failed = std::ranges::count_if(cases, [&](const HardCase& c) { return of(c) && c.failed; });
+  if (all == 0) return "";
+  return failed == 0 ? fmt::format("none of {} hard cases fails", all)
+                     : fmt::format("{} of {} hard cases fail", failed, all);
+}
+
+FindingText parts_of(const std::string& finding) {
+  FindingText all;
+  std::istringstream lines(finding);
+  std::getline(lines, all.title);
+  if (const auto at = all.title.find("  "); at != std::string::npos) all.title.erase(0, at + 2);
+  for (std::string line; std::getline(lines, line);) {
+    const auto end = line.find(' ', 3);  // "   where    theta < 1", with a name of at most 8 letters
+    const bool named = line.size() > 12 && line.starts_with("   ") && line[3] != ' ' && end < 12 &&
+                       line.find_first_not_of(' ', end) == 12;
+    if (named)
+      all.lines.emplace_back(line.substr(3, end - 3), line.substr(12));
+    else if (line.ends_with("'s own program:"))
+      all.lines.emplace_back("program", "");
+    else if (!all.lines.empty())
+      all.lines.back().second += '\n' + (line.starts_with("            ") ? line.substr(12) : line);
+  }
+  for (auto& [name, words] : all.lines) {  // without empty lines around a program
+    words.erase(0, std::min(words.find_first_not_of('\n'), words.size()));
+    words.erase(words.find_last_not_of('\n') + 1);
+  }
+  return all;
+}
+
+}  // namespace liecheck::reports
