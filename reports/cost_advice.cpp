@@ -99,7 +99,8 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
   std::vector<RegionPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["operation"] != operation || row["error"].is_null() || other_flags(row)) continue;
-    RegionPoint p{row["subject"], row["scalar"]};
+    RegionPoint p;
+    p.subject = row["subject"], p.scalar = row["scalar"];
     double sets = 0, worst = -1;
     for (const Json& set : row["sets"]) {
       const Json& latency = set["latency"];
@@ -125,33 +126,32 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
   return points;
 }
 
-std::vector<std::string> libraries_in(const Json& cost) {
+std::string only_library(const Merged& merged) {
   Distinct<std::string> all;
-  for (const Json& row : cost["rows"])
-    if (!row["error"].is_null() && !other_flags(row) && !forms.contains(row["subject"]))
-      all.add(row["subject"]);
-  return {all.begin(), all.end()};
+  for (const Json& row : merged.results) all.add(row["subject"]);
+  return std::distance(all.begin(), all.end()) == 1 ? *all.begin() : std::string();
 }
 
-std::string cost_sentence(const std::vector<RegionPoint>& points, const std::vector<std::string>& libraries) {
-  if (libraries.size() != 1) return points.empty() ? "" : among_libraries(points);
+std::string cost_sentence(const std::vector<RegionPoint>& points, const std::string& own_library) {
+  if (own_library.empty()) return points.empty() ? "" : among_libraries(points);
   std::string text;
   for (const char* scalar : {"double", "float"}) {
     const RegionPoint* own = nullptr;
     std::vector<RegionPoint> forms_of_it;
     for (const RegionPoint& p : points) {
       if (p.scalar != scalar) continue;
-      if (p.subject == libraries.front()) own = &p;
-      if (forms.contains(p.subject)) forms_of_it.push_back(p);
+      if (p.subject == own_library)
+        own = &p;
+      else if (forms.contains(p.subject))
+        forms_of_it.push_back(p);
     }
     if (own) text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it) + ".";
   }
   return text;
 }
 
-std::string cost_advice(const Json& cost) {
+std::string cost_advice(const Json& cost, const std::string& own_library) {
   const auto regions = cost_regions(cost);
-  const auto libraries = libraries_in(cost);
   Distinct<std::string> operations;
   for (const Json& row : cost["rows"]) operations.add(row["operation"]);
   Cells heads = {"operation"};
@@ -160,14 +160,14 @@ std::string cost_advice(const Json& cost) {
   for (const std::string& operation : operations) {
     Cells row = {code(operation)};
     for (const CostRegion& r : regions)
-      row.push_back(cost_sentence(region_points(cost, operation, r), libraries));
+      row.push_back(cost_sentence(region_points(cost, operation, r), own_library));
     if (std::any_of(row.begin() + 1, row.end(), [](const std::string& s) { return !s.empty(); }))
       rows.push_back(row);
   }
   return rows.empty() ? ""
-                      : table(libraries.size() == 1 ? "What another form of the formula would win, as "
-                                                      "measured here; nothing where none wins"
-                                                    : "What to take, and what a faster choice loses",
+                      : table(!own_library.empty() ? "What another form of the formula would win, as "
+                                                     "measured here; nothing where none wins"
+                                                   : "What to take, and what a faster choice loses",
                               heads, rows);
 }
 

@@ -30,14 +30,14 @@ CostRegion every_angle(const Json& cost);
 std::vector<RegionPoint> region_points(const Json& cost, const std::string& operation,
                                        const CostRegion& region);
 
-/// The subjects that are not forms of the program's own: the textbook and liecheck in each precision.
-std::vector<std::string> libraries_in(const Json& cost);
+/// The library, if the records are of one alone; "" otherwise.
+std::string only_library(const Merged& merged);
 
 /// A sentence (HTML) that says which of the libraries to take for the most digits and what is lost with a faster one; of one
 /// library beside liecheck's own forms, what the formula could reach: which form wins how many digits for how many ns.
-std::string cost_sentence(const std::vector<RegionPoint>& points, const std::vector<std::string>& libraries);
+std::string cost_sentence(const std::vector<RegionPoint>& points, const std::string& own_library);
 
 /// The sentences of all operations as a table; empty without bands.
-std::string cost_advice(const Json& cost);
+std::string cost_advice(const Json& cost, const std::string& own_library);
 
 }  // namespace liecheck::reports

@@ -42,8 +42,8 @@ std::string price_of(const Looks& looks, const Json& finding) {
   for (const Json& record : looks.merged.records)
     if (record.contains("cost")) cost = &record["cost"];
   if (!cost) return "";
-  if (const auto libraries = libraries_in(*cost); libraries == std::vector<std::string>{subject})
-    return cost_sentence(region_points(*cost, operation, every_angle(*cost)), libraries);
+  if (!only_library(looks.merged).empty())
+    return cost_sentence(region_points(*cost, operation, every_angle(*cost)), subject);
   const auto judged = [&](const std::string& name) {
     return !looks.wrong.contains({name, operation}) &&
            std::ranges::any_of(looks.merged.results, [&](const Json& row) {

@@ -175,9 +175,9 @@ FirstScreen::Question price_question(const Looks& looks, std::string operation) 
   if (!timed(operation)) operation = timed("exp6") || points.empty() ? "exp6" : points.front().operation;
   all.pictures.front().second = cost_picture(looks, points, operation);
   if (!all.pictures.front().second.empty())
-    all.answer =
-        fmt::format("<b>{}</b>. {}", escaped(operation),
-                    cost_sentence(region_points(*cost, operation, every_angle(*cost)), libraries_in(*cost)));
+    all.answer = fmt::format(
+        "<b>{}</b>. {}", escaped(operation),
+        cost_sentence(region_points(*cost, operation, every_angle(*cost)), only_library(looks.merged)));
   return all;
 }
 

@@ -326,37 +326,37 @@ inline constexpr bool offered = Computes<F, Subject, float, I, R> || Computes<F,
 
 /// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
 /// liecheck_described(object) describes an object that has a state. It is used as long as the library is.
-#define LIECHECK_SUBJECT(Subject, ...)                                                           \
-  template <class As>                                                                            \
-  LIECHECK_HIDDEN typename As::type liecheck_found(const Subject*, std::string_view operation,   \
-                                                   bool is_float) {                              \
-    LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                           \
-    return nullptr;                                                                              \
-  }                                                                                              \
-  LIECHECK_HIDDEN inline liecheck_adapter liecheck_described(Subject& object) {                  \
-    liecheck_adapter all{};                                                                      \
-    all.interface_version = LIECHECK_ADAPTER_VERSION;                                            \
-    all.name = object.name, all.version = object.version;                                        \
-    all.thread_safe = liecheck::adapter::is_thread_safe<Subject>();                              \
-    all.reason = liecheck::adapter::reason;                                                      \
-    all.conventions = liecheck::adapter::conventions_of<Subject>();                              \
-    all.context = std::addressof(object);                                                        \
-    all.find_call = [](void*, const char* operation_name, const char* scalar) -> liecheck_call { \
-      const std::string_view operation = operation_name;                                         \
-      const bool is_float = std::string_view(scalar) == "float";                                 \
-      if (const liecheck_call call = liecheck_found<liecheck::adapter::Functions>(               \
-              static_cast<const Subject*>(nullptr), operation, is_float))                        \
-        return call;                                                                             \
-      return is_float ? liecheck::adapter::check_in<Subject, float>(operation)                   \
-                      : liecheck::adapter::check_in<Subject, double>(operation);                 \
-    };                                                                                           \
-    liecheck::adapter::add_models<Subject>(all);                                                 \
-    return all;                                                                                  \
-  }                                                                                              \
-  LIECHECK_HIDDEN inline const liecheck_adapter& liecheck_subject(const Subject*) {              \
-    static Subject object{};                                                                     \
-    static const liecheck_adapter adapter = liecheck_described(object);                          \
-    return adapter;                                                                              \
+#define LIECHECK_SUBJECT(Subject, ...)                                                               \
+  template <class As>                                                                                \
+  LIECHECK_HIDDEN typename As::type liecheck_found(                                                  \
+      const Subject*, [[maybe_unused]] std::string_view operation, [[maybe_unused]] bool is_float) { \
+    LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                               \
+    return nullptr;                                                                                  \
+  }                                                                                                  \
+  LIECHECK_HIDDEN inline liecheck_adapter liecheck_described(Subject& object) {                      \
+    liecheck_adapter all{};                                                                          \
+    all.interface_version = LIECHECK_ADAPTER_VERSION;                                                \
+    all.name = object.name, all.version = object.version;                                            \
+    all.thread_safe = liecheck::adapter::is_thread_safe<Subject>();                                  \
+    all.reason = liecheck::adapter::reason;                                                          \
+    all.conventions = liecheck::adapter::conventions_of<Subject>();                                  \
+    all.context = std::addressof(object);                                                            \
+    all.find_call = [](void*, const char* operation_name, const char* scalar) -> liecheck_call {     \
+      const std::string_view operation = operation_name;                                             \
+      const bool is_float = std::string_view(scalar) == "float";                                     \
+      if (const liecheck_call call = liecheck_found<liecheck::adapter::Functions>(                   \
+              static_cast<const Subject*>(nullptr), operation, is_float))                            \
+        return call;                                                                                 \
+      return is_float ? liecheck::adapter::check_in<Subject, float>(operation)                       \
+                      : liecheck::adapter::check_in<Subject, double>(operation);                     \
+    };                                                                                               \
+    liecheck::adapter::add_models<Subject>(all);                                                     \
+    return all;                                                                                      \
+  }                                                                                                  \
+  LIECHECK_HIDDEN inline const liecheck_adapter& liecheck_subject(const Subject*) {                  \
+    static Subject object{};                                                                         \
+    static const liecheck_adapter adapter = liecheck_described(object);                              \
+    return adapter;                                                                                  \
   }
 
 /// The same, and exports it, once in a shared library.

@@ -33,7 +33,7 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
     only.operations.take(operation, subject.operations);
     const Signature signature = signature_of<double>(function);
     const auto fields = law->fields();
-    const auto inputs = cost_inputs<double>(fields, 42, 4);
+    const auto inputs = cost_inputs<double>(fields, CostOptions(), 4);
     const auto blocks = score(*law, operation, erased(only), inputs);
     std::vector<BlockErrors> wide;
     for (const auto& x : inputs) {
