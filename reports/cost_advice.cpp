@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <reports/cost_points.hpp>
@@ -12,11 +13,18 @@ namespace liecheck::reports {
 
 namespace {
 
-/// What liecheck measures to show what a formula can reach.
-const std::map<std::string, std::string> forms = {{"textbook", "the closed form with a cutoff"},
-                                                  {"liecheck:fast", "a series or half angles"},
-                                                  {"liecheck", "a compensated series"},
-                                                  {"liecheck:tight", "double words"}};
+/// What liecheck measures to show what a formula can reach: its name for coefficients of the angle, that for other operations.
+const std::map<std::string, std::array<const char*, 2>> forms = {
+    {"textbook", {"the closed form with a cutoff", "the textbook's form"}},
+    {"liecheck:fast", {"a series", "liecheck's form without compensation"}},
+    {"liecheck", {"a compensated series", "liecheck's form"}},
+    {"liecheck:tight", {"a series in double words", "liecheck's form in double words"}}};
+
+/// Whether the operation has coefficients that are functions of the angle.
+bool has_coefficients(const std::string& operation) {
+  const auto is_in = [&](const char* part) { return operation.find(part) != std::string::npos; };
+  return is_in("exp") || is_in("log") || is_in("jacobian") || is_in("integrate") || is_in("difference");
+}
 
 double digits(const RegionPoint& p) {
   return std::isinf(p.error) ? 0 : std::max(0.0, -std::log10(p.error));
@@ -54,7 +62,8 @@ std::string among_libraries(const std::vector<RegionPoint>& points) {
 
 std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint>& forms_of_it) {
   const auto named = [](const RegionPoint& p) {
-    return fmt::format("{} ({})", forms.at(p.subject), escaped(p.subject));
+    return fmt::format("{} ({})", forms.at(p.subject)[has_coefficients(p.operation) ? 0 : 1],
+                       escaped(p.subject));
   };
   const std::string text =
       fmt::format("{}: {:.1f} digits, {}", escaped(own.scalar), digits(own), time_text(own.ns));
@@ -100,7 +109,7 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
   for (const Json& row : cost["rows"]) {
     if (row["operation"] != operation || row["error"].is_null() || other_flags(row)) continue;
     RegionPoint p;
-    p.subject = row["subject"], p.scalar = row["scalar"];
+    p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation;
     double sets = 0, worst = -1;
     for (const Json& set : row["sets"]) {
       const Json& latency = set["latency"];

@@ -9,7 +9,7 @@ namespace liecheck::reports {
 
 /// One implementation of an operation in one region of the angle.
 struct RegionPoint {
-  std::string subject, scalar;
+  std::string subject, scalar, operation;
   double ns = 0, low = 0,
          high = 0;    ///< latency of a call and its spread, the mean over the bands of the region
   double error = 0;   ///< largest relative error found, at least eps/2; infinite if a case has no result
