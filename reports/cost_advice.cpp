@@ -30,6 +30,14 @@ double digits(const RegionPoint& p) {
   return std::isinf(p.error) ? 0 : std::max(0.0, -std::log10(p.error));
 }
 
+/// "pi-theta 1e-5..0.1" as "π − θ 1e-5…0.1".
+std::string band_words(std::string name) {
+  for (const auto& [from, to] : {std::pair("pi-theta", "π − θ"), {"theta", "θ"}, {"..", "…"}, {"pi", "π"}})
+    if (const auto at = name.find(from); at != std::string::npos)
+      name.replace(at, std::string_view(from).size(), to);
+  return name;
+}
+
 /// Not slower within the spreads of both.
 bool is_as_fast(const RegionPoint& a, const RegionPoint& b) {
   return a.low <= b.high;
@@ -70,10 +78,10 @@ std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint
   if (forms_of_it.empty()) return text;
   const RegionPoint& more = fastest_accurate(forms_of_it);
   if (const double won = digits(more) - digits(own); won > 1) {
-    const std::string price = own.high < more.low   ? "+" + time_text(more.ns - own.ns)
-                              : more.high < own.low ? "−" + time_text(own.ns - more.ns)
-                                                    : "the same time";
-    return text + fmt::format("; {} wins <b>{:+.1f} digits for {}</b>, at {}", named(more), won, price,
+    const std::string price = own.high < more.low   ? "for " + time_text(more.ns - own.ns)
+                              : more.high < own.low ? "and takes " + time_text(own.ns - more.ns) + " less"
+                                                    : "in the same time";
+    return text + fmt::format("; {} wins <b>{:.1f} digits {}</b>, at {}", named(more), won, price,
                               escaped(own.where));
   }
   const auto faster = std::ranges::find_if(
@@ -96,11 +104,8 @@ std::vector<CostRegion> cost_regions(const Json& cost) {
   return all;
 }
 
-CostRegion every_angle(const Json& cost) {
-  CostRegion all{"every angle", {}};
-  for (const Json& band : list_in(cost, "bands")) all.bands.push_back(band["band"]);
-  if (all.bands.empty()) all.bands = {"mixed"};  // of an older record
-  return all;
+CostRegion every_angle() {
+  return {"every angle", {"mixed"}};
 }
 
 std::vector<RegionPoint> region_points(const Json& cost, const std::string& operation,
@@ -110,25 +115,25 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
     if (row["operation"] != operation || row["error"].is_null() || other_flags(row)) continue;
     RegionPoint p;
     p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation;
+    const bool whole = region.bands.front() == "mixed";
     double sets = 0, worst = -1;
     for (const Json& set : row["sets"]) {
-      const Json& latency = set["latency"];
-      if (latency.is_null() || std::ranges::count(region.bands, set["set"].get<std::string>()) == 0) continue;
-      const double unit = latency["ns"].get<double>() / latency["ratio"].get<double>();
-      ++sets, p.ns += latency["ns"].get<double>();
-      p.low += unit * latency["low"].get<double>(), p.high += unit * latency["high"].get<double>();
-      for (const Json& b : set["blocks"]) {
-        if (b["block"].get_ref<const std::string&>().find("defect") != std::string::npos) continue;
-        const bool none =
-            b["not_finite"] > 0 || b["wrong_branch"] > 0 || b["refused"] > 0 || b["unresolved"] > 0;
-        const double error =
-            none ? std::numeric_limits<double>::infinity() : figure(b["max_eps"]) * row["eps"].get<double>();
-        if (error > worst) worst = error, p.where = set["set"];
+      const std::string name = set["set"];
+      const bool timed = std::ranges::count(region.bands, name) > 0 && !set["latency"].is_null();
+      if (timed) {
+        const Json& latency = set["latency"];
+        const double unit = latency["ns"].get<double>() / latency["ratio"].get<double>();
+        ++sets, p.ns += latency["ns"].get<double>();
+        p.low += unit * latency["low"].get<double>(), p.high += unit * latency["high"].get<double>();
       }
+      if (!timed && !whole) continue;
+      const double error =
+          error_of_set(set, row["eps"]);  // of all inputs, the first band with the worst error is named
+      if (error > worst) worst = error, p.where = band_words(name);
     }
-    if (sets == 0 || worst < 0) continue;
-    p.ns /= sets, p.low /= sets, p.high /= sets,
-        p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
+    if (sets == 0) continue;
+    p.ns /= sets, p.low /= sets, p.high /= sets;
+    p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
     points.push_back(p);
   }
   std::ranges::sort(points, {}, &RegionPoint::ns);

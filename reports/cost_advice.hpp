@@ -23,8 +23,8 @@ struct CostRegion {
 };
 /// near 0, moderate and near pi: those for which the record has bands.
 std::vector<CostRegion> cost_regions(const Json& cost);
-/// All bands of the record, as one region.
-CostRegion every_angle(const Json& cost);
+/// All inputs together, as one region.
+CostRegion every_angle();
 
 /// The timed rows of an operation in a region, the fastest first.
 std::vector<RegionPoint> region_points(const Json& cost, const std::string& operation,

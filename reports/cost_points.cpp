@@ -10,10 +10,6 @@ bool other_flags(const Json& row) {
   return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
 }
 
-namespace {
-
-/// The largest relative error of the inputs of a set, as `error` of a row is that of all inputs; infinite if
-/// one has no error.
 double error_of_set(const Json& set, double eps) {
   double most = 0;
   for (const Json& b : set["blocks"]) {
@@ -24,8 +20,6 @@ double error_of_set(const Json& set, double eps) {
   }
   return most;
 }
-
-}  // namespace
 
 std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
   std::vector<CostPoint> points;

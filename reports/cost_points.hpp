@@ -19,6 +19,10 @@ struct CostPoint {
 /// Whether a row is the same code with other compiler flags, "liecheck@gcc-O2".
 bool other_flags(const Json& row);
 
+/// The largest relative error of the inputs of a set, as `error` of a row is that of all inputs; infinite if
+/// one has no error.
+double error_of_set(const Json& set, double eps);
+
 /// The points in the order of the record, without the rows of `call` and of other compiler flags: over all inputs or, with
 /// the name of a set, over those of one band of angles, where none counts as dominated.
 std::vector<CostPoint> cost_points(const Json& cost, const std::string& set = "");

@@ -51,7 +51,7 @@ std::string digits_table(const Looks& looks) {
         times[{p.operation, p.subject, p.scalar}] = p.latency;
   std::string heads = "<tr><th scope=\"col\" rowspan=\"2\">operation</th>", scalars = "<tr>", names;
   for (const Region& r : regions) names += fmt::format("<i>{}</i>", r.brief);
-  if (!times.empty()) names += "<em></em>";
+  if (!times.empty()) names += "<em>ns</em>";
   std::size_t wide_columns = 0;
   for (const std::string& subject : subjects) {
     int span = 0;
@@ -59,10 +59,9 @@ std::string digits_table(const Looks& looks) {
       if (s == subject) {
         ++span, ++wide_columns;
         scalars += fmt::format(
-            "<th scope=\"col\" data-subject=\"{}\" data-scalar=\"{}\">{}{}<span class=\"boxes heads\" "
+            "<th scope=\"col\" data-subject=\"{}\" data-scalar=\"{}\">{}<span class=\"boxes heads\" "
             "aria-hidden=\"true\">{}</span></th>",
-            escaped(s), escaped(scalar), escaped(scalar),
-            times.empty() ? "" : ", <span class=\"faint\">ns</span>", names);
+            escaped(s), escaped(scalar), escaped(scalar), names);
       }
     heads += fmt::format("<th scope=\"colgroup\" colspan=\"{}\" data-subject=\"{}\">{}{}</th>", span,
                          escaped(subject), swatch(looks.of.at(subject)), escaped(subject));

@@ -42,8 +42,10 @@ std::string price_of(const Looks& looks, const Json& finding) {
   for (const Json& record : looks.merged.records)
     if (record.contains("cost")) cost = &record["cost"];
   if (!cost) return "";
-  if (!only_library(looks.merged).empty())
-    return cost_sentence(region_points(*cost, operation, every_angle(*cost)), subject);
+  if (!only_library(looks.merged).empty()) {
+    const std::string price = cost_sentence(region_points(*cost, operation, every_angle()), subject);
+    return price.empty() ? "" : "on other inputs, which are not chosen to fail: " + price;
+  }
   const auto judged = [&](const std::string& name) {
     return !looks.wrong.contains({name, operation}) &&
            std::ranges::any_of(looks.merged.results, [&](const Json& row) {
@@ -63,7 +65,7 @@ std::string price_of(const Looks& looks, const Json& finding) {
   const auto words = [](const CostPoint& p) {
     return fmt::format("{:.1f} digits in {}", shown_digits(p), time_text(p.latency));
   };
-  return words(*own) + " on the timed inputs" +
+  return words(*own) + " on inputs that are not chosen to fail" +
          (better && better->error < .1 * own->error
               ? fmt::format("; {}, which is within budget, has {}", escaped(better->subject), words(*better))
               : std::string());

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <ranges>
 #include <reports/cost_advice.hpp>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
 #include <reports/summary.hpp>
+#include <set>
 
 namespace liecheck::reports {
 namespace {
@@ -104,19 +106,21 @@ std::vector<const Json*> telling_rows(const Looks& looks, const std::string& sca
   return best;
 }
 
-/// Which libraries fail near 0 and near pi, of all operations.
+/// Which libraries fail near 0 and near pi, and in how many operations.
 std::string near_words(const Looks& looks) {
-  Distinct<std::string> zero, pi;
+  std::map<std::string, std::set<std::string>> zero, pi;  // the operations of a subject
   for (const Json& row : looks.merged.results) {
     if (row["status"] != "fail") continue;
     const std::size_t region = region_of(row);
-    if (region < 2) zero.add(row["subject"]);
-    if (region == 3 || region == 4) pi.add(row["subject"]);
+    if (region < 2) zero[row["subject"]].insert(row["operation"]);
+    if (region == 3 || region == 4) pi[row["subject"]].insert(row["operation"]);
   }
-  const auto names = [](const char* where, const std::vector<std::string>& of) {
-    const std::string names =
-        of.size() > 4 ? fmt::format("{} libraries", of.size()) : fmt::format("{}", fmt::join(of, ", "));
-    return of.empty() ? fmt::format("Right {}", where) : fmt::format("Not {}: {}", where, escaped(names));
+  const auto names = [](const char* where, const std::map<std::string, std::set<std::string>>& of) {
+    if (of.empty()) return fmt::format("Right {}", where);
+    Cells words;
+    for (const auto& [subject, operations] : of)
+      words.push_back(fmt::format("{} ({})", escaped(subject), plural(operations.size(), "operation")));
+    return fmt::format("Not {}: {}", where, fmt::join(words, ", "));
   };
   return zero.empty() && pi.empty() ? "Yes, every operation"
                                     : names("near 0", zero) + ". " + names("near π", pi);
@@ -177,7 +181,7 @@ FirstScreen::Question price_question(const Looks& looks, std::string operation) 
   if (!all.pictures.front().second.empty())
     all.answer = fmt::format(
         "<b>{}</b>. {}", escaped(operation),
-        cost_sentence(region_points(*cost, operation, every_angle(*cost)), only_library(looks.merged)));
+        cost_sentence(region_points(*cost, operation, every_angle()), only_library(looks.merged)));
   return all;
 }
 
@@ -199,13 +203,14 @@ FirstScreen first_screen(const Looks& looks) {
   all.questions.push_back(
       price_question(looks, rows.empty() ? "exp6" : (*rows.front())["operation"].get<std::string>()));
   const std::string hard = hard_words(cases);
-  all.questions.push_back({"hard",
-                           "stability",
-                           "Are hard cases stable?",
-                           hard.empty() ? "These records hold no hard cases."
-                                        : fmt::format("{}{}: known difficult inputs, each in each scalar.",
-                                                      hard.starts_with("none") ? "Yes, " : "No, ", hard),
-                           {{"failing cases by class", cases.empty() ? "" : hard_picture(looks, cases)}}});
+  all.questions.push_back(
+      {"hard",
+       "stability",
+       "Are hard cases stable?",
+       hard.empty()
+           ? "These records hold no hard cases."
+           : fmt::format("{}{}: {}.", hard.starts_with("none") ? "Yes, " : "No, ", hard, hard_counts(cases)),
+       {{"failing cases by class", cases.empty() ? "" : hard_picture(looks, cases)}}});
   return all;
 }
 

@@ -82,6 +82,14 @@ std::string hard_words(const std::vector<HardCase>& cases, const std::string& su
                      : fmt::format("{} of {} hard cases fail", failed, all);
 }
 
+std::string hard_counts(const std::vector<HardCase>& cases) {
+  std::string all;
+  for (std::size_t v = 0; v < hard_verdicts.size(); ++v)
+    if (const auto n = std::ranges::count(cases, v, &HardCase::verdict); n > 0)
+      all += fmt::format("{}{} {}", all.empty() ? "" : ", ", n, hard_verdicts[v]);
+  return all;
+}
+
 FindingText parts_of(const std::string& finding) {
   FindingText all;
   std::istringstream lines(finding);

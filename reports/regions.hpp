@@ -61,6 +61,9 @@ std::vector<HardCase> hard_cases(const Merged& merged);
 /// "41 of 585 hard cases fail", of one subject or, for "", of all; "" if there are none.
 std::string hard_words(const std::vector<HardCase>& cases, const std::string& subject = "");
 
+/// "938 stable, 76 refused, 188 ill-posed": the known difficult inputs, each in each scalar, by verdict.
+std::string hard_counts(const std::vector<HardCase>& cases);
+
 /// The parts of what the terminal says of a finding: its first line without the number, and each further line with its name.
 struct FindingText {
   std::string title;

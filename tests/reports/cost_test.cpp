@@ -45,8 +45,8 @@ TEST(CostReport, OfLibrariesNamesTheFastestWithTheMostDigitsAndWhatAFasterOneLos
 TEST(CostReport, OfOneLibraryComparesItWithWhatItsFormulaCouldReachAndAdvertisesNothing) {
   const RegionPoint series = point("liecheck:fast", 20, 8e-16), tight = point("liecheck:tight", 900, 1e-16);
   EXPECT_EQ(cost_sentence({point("textbook", 9, 1e-8), point("mine", 10, 1e-8), series, tight}, "mine"),
-            "double: 8.0 digits, 10 ns; a series (liecheck:fast) wins <b>+7.1 digits for "
-            "+10 ns</b>, at "
+            "double: 8.0 digits, 10 ns; a series (liecheck:fast) wins <b>7.1 digits for "
+            "10 ns</b>, at "
             "theta 1e-12..1e-5.");
   EXPECT_EQ(cost_sentence({point("mine", 10, 9e-16), series, tight}, "mine"), "double: 15.0 digits, 10 ns.");
   EXPECT_EQ(cost_sentence({series, point("mine", 40, 9e-16), tight}, "mine"),
