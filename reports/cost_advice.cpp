@@ -131,7 +131,7 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
           error_of_set(set, row["eps"]);  // of all inputs, the first band with the worst error is named
       if (error > worst) worst = error, p.where = band_words(name);
     }
-    if (sets == 0) continue;
+    if (sets == 0 || worst < 0) continue;
     p.ns /= sets, p.low /= sets, p.high /= sets;
     p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
     points.push_back(p);

@@ -11,12 +11,12 @@ bool other_flags(const Json& row) {
 }
 
 double error_of_set(const Json& set, double eps) {
-  double most = 0;
+  double most = -1;
   for (const Json& b : set["blocks"]) {
     if (b["block"].get_ref<const std::string&>().ends_with("defect")) continue;
-    for (const char* outcome : {"not_finite", "wrong_branch", "refused"})
+    for (const char* outcome : {"not_finite", "wrong_branch", "refused", "unresolved"})
       if (b[outcome] > 0) return std::numeric_limits<double>::infinity();
-    most = std::max(most, figure(b["max_eps"]) * eps);
+    if (b["measured"] > 0) most = std::max(most, figure(b["max_eps"]) * eps);
   }
   return most;
 }
@@ -30,8 +30,9 @@ std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
                          : std::ranges::find_if(row["sets"], [&](const Json& s) { return s["set"] == set; });
     if (own == row["sets"].end()) continue;
     const Json& latency = (*own)["latency"];
-    points.push_back({row["subject"], row["scalar"], row["operation"],
-                      set.empty() ? figure(row["error"]) : error_of_set(*own, row["eps"]),
+    const double error = set.empty() ? figure(row["error"]) : error_of_set(*own, row["eps"]);
+    if (error < 0) continue;
+    points.push_back({row["subject"], row["scalar"], row["operation"], error,
                       latency.is_null() ? 0 : latency["ns"].get<double>(),
                       set.empty() && !row["dominated_latency"].is_null()});
   }

@@ -19,8 +19,8 @@ struct CostPoint {
 /// Whether a row is the same code with other compiler flags, "liecheck@gcc-O2".
 bool other_flags(const Json& row);
 
-/// The largest relative error of the inputs of a set, as `error` of a row is that of all inputs; infinite if
-/// one has no error.
+/// The largest relative error of the inputs of a set, as `error` of a row is that of all: infinite if one has no error, and
+/// -1 if none was measured.
 double error_of_set(const Json& set, double eps);
 
 /// The points in the order of the record, without the rows of `call` and of other compiler flags: over all inputs or, with

@@ -120,8 +120,8 @@ std::string cost_section(const Looks& looks) {
         dumped(cost["processes"]), cost["reference_ns"].get<double>());
     if (!cost["steady"])
       out += fmt::format(
-          "<p><b>The machine changed speed during this run</b>: {:.0f} % of the repetitions "
-          "were disturbed. Another run may give other times.</p>\n",
+          "<p><b>The times are unsteady</b>: half of them spread by more than 15 %, and another run may give "
+          "other times. {:.0f} % of the repetitions were disturbed and left out.</p>\n",
           100 * cost["disturbed"].get<double>());
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "
