@@ -62,7 +62,7 @@ std::string legend(const Looks& looks, const std::vector<std::string>& unnamed, 
   }
   if (!unnamed.empty()) y += 14;
   out += text(left, y,
-              has_small ? "filled: on the front (dashed); small: float" : "filled: on the front (dashed)",
+              std::string("filled: none is faster and as accurate") + (has_small ? "; small: float" : ""),
               "start");
   high = y + 5;
   return out;

@@ -214,7 +214,7 @@ std::string title_of(const std::vector<Verdict>& all, const std::string& word) {
                 : all[0].headline);
   if (wrong)
     return fmt::format("{} of {} libraries {} wrong{}", wrong, all.size(), wrong == 1 ? "is" : "are",
-                       edge ? fmt::format("; {} only at extreme angles", edge) : "");
+                       edge ? fmt::format(", and {} more only at extreme angles", edge) : "");
   if (edge)
     return fmt::format(
         "No library is wrong for ordinary inputs; {} of {} {} "
