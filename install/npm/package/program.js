@@ -1,0 +1,53 @@
+// The program liecheck, and how it is told to start an adapter in JavaScript.
+"use strict";
+const fs = require("fs"), path = require("path");
+const {spawnSync} = require("child_process");
+
+/** The program of this package, or that of the environment variable LIECHECK_PROGRAM. Throws an error if it cannot run. */
+function program() {
+  const named = process.env.LIECHECK_PROGRAM, file = named || path.join(__dirname, "bin", "liecheck");
+  const glibc = process.report && process.report.getReport().header.glibcVersionRuntime;
+  const here = `${process.platform}-${process.arch}`;
+  if (!named && (here !== "linux-x64" || !glibc))
+    throw new Error(`the package has a program for linux-x64 with glibc, and this is ${here}${here === "linux-x64" ? " without it" : ""}: ` +
+                    "build one from source, and name it in LIECHECK_PROGRAM");
+  try {
+    fs.accessSync(file, fs.constants.X_OK);
+  } catch (error) {
+    throw new Error(`${named ? "LIECHECK_PROGRAM: " : ""}${file}: ${error.code === "ENOENT" ? "no such program" : "not executable"}`);
+  }
+  return file;
+}
+
+/** A word of a shell. */
+function quoted(word) {
+  return /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
+}
+/** The path from the working folder, where that is below it. */
+function shown(file) {
+  const relative = path.relative("", file);
+  return relative.startsWith("..") ? file : relative;
+}
+
+/** The command that serves the adapter of a file. Throws an error, in words for its user, if there is none. */
+function commandOf(file) {
+  if (!fs.existsSync(file)) throw new Error(`${file}: no such file; paths are from ${process.cwd()}`);
+  return [process.execPath, shown(path.join(__dirname, "adapter.js")), shown(path.resolve(file))].map(quoted).join(" ");
+}
+
+/** The scalars of the adapter of a file, and what it may have misspelt. Throws an error if it cannot be loaded. */
+function look(file) {
+  const seconds = 15;
+  const done = spawnSync(process.execPath, [path.join(__dirname, "adapter.js"), file, "--look"],
+                         {encoding: "utf8", timeout: 1000 * seconds});
+  if (done.error && done.error.code === "ETIMEDOUT") throw new Error(`${file}: it was not loaded in ${seconds} s`);
+  try {
+    return JSON.parse(done.stdout);
+  } catch (error) {
+    const last = done.stderr.trim().split("\n").pop().replace(/^liecheck: /, "");
+    const ended = done.signal ? `signal ${done.signal}` : `exit code ${done.status}`;
+    throw new Error(done.status === 2 && last ? last : `${file}: node ended with ${ended} as it loaded it${last ? `: ${last}` : ""}`);
+  }
+}
+
+Object.assign(exports, {program, commandOf, look});

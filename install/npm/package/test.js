@@ -1,0 +1,88 @@
+// The laws as cases of a test runner.
+"use strict";
+const {spawn, spawnSync} = require("child_process");
+const url = require("url");
+const {program, commandOf, look} = require("./program.js");
+
+const running = new Set();  // programs, which end with this process
+function end() {
+  for (const child of running) child.kill();
+}
+function start(file, args) {
+  if (!running.size) {
+    process.on("exit", end);
+    for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, passOn);
+  }
+  const child = spawn(file, args, {stdio: ["ignore", "pipe", "pipe"]});
+  running.add(child);
+  child.on("close", () => {
+    running.delete(child);
+    if (running.size) return;
+    process.removeListener("exit", end);
+    for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.removeListener(signal, passOn);
+  });
+  return child;
+}
+/** Ends the programs and, unless the runner has its own handler, this process. */
+function passOn(signal) {
+  end();
+  if (process.listenerCount(signal) > 1) return;
+  process.removeListener(signal, passOn);
+  process.kill(process.pid, signal);
+}
+
+/** An error whose message and stack are what the program printed. */
+function failure(text) {
+  const error = new Error(text);
+  error.stack = text;
+  return error;
+}
+
+/** Runs `liecheck test` with these arguments. t: the context that node:test gives, if the runner is node:test. */
+function run(args, t) {
+  return new Promise((resolve, reject) => {
+    const child = start(program(), args), text = {stdout: "", stderr: ""};
+    for (const stream of ["stdout", "stderr"])
+      child[stream].setEncoding("utf8").on("data", more => text[stream] += more);
+    const signal = t && t.signal;
+    if (signal && signal.addEventListener) signal.addEventListener("abort", () => child.kill());
+    child.on("error", reject);
+    child.on("close", (code, ended) => {
+      const lines = text.stdout.split("\n").filter(line => !line.startsWith("--verbose"));
+      if (code === 1 || code === 3) return reject(failure(lines.join("\n").trim()));
+      if (code !== 0)
+        return reject(failure(text.stderr.trim().split("\n").pop() || `liecheck ended with ${ended || `exit code ${code}`}`));
+      const expected = lines.filter(line => line.startsWith("expected failure: "));
+      if (expected.length && t && typeof t.todo === "function") t.todo(expected.join("; "));
+      for (const line of lines)
+        if (line.startsWith("expected failure that passed") && t && typeof t.diagnostic === "function") t.diagnostic(line);
+      resolve();
+    });
+  });
+}
+
+/** Flags of the program: {cases: 500, "no-probe": true} is --cases 500 --no-probe. */
+function flagsOf(options) {
+  const flags = [];
+  for (const name of Object.keys(options))
+    for (const value of [].concat(options[name])) flags.push(`--${name}`, ...(value === true ? [] : [String(value)]));
+  return flags;
+}
+
+/**
+ * A case for each law and scalar of which the adapter offers an operation: `for (const law of laws("./adapter.mjs"))
+ * test(law.name, law.run)`. adapter: a path from the working folder, or a URL. options: flags of `liecheck test`.
+ */
+exports.laws = function laws(adapter, options = {}) {
+  const file = adapter instanceof URL || /^file:/.test(adapter) ? url.fileURLToPath(adapter) : adapter;
+  const command = commandOf(file), {scalars} = look(file);
+  const flags = flagsOf(Object.assign({cases: 2000, seed: 42}, options));
+  const listed = spawnSync(program(), ["list", "--laws", "--adapter", command], {encoding: "utf8"});
+  if (listed.status !== 0) throw failure(listed.stderr.trim());
+  const cases = listed.stdout.trim().split("\n").map(law => scalars.map(scalar => ({
+    law, scalar, name: `${law} in ${scalar}`,
+    // Without a named argument, so that a runner does not take it for a callback.
+    run: (...context) => run(["test", command, "--property", law, "--scalar", scalar, ...flags], context[0]),
+  })));
+  return [].concat(...cases);
+};
