@@ -2,17 +2,18 @@
 // and `node adapter.js FILE --look` prints its scalars and what it may have misspelt, as JSON.
 "use strict";
 const fs = require("fs"), path = require("path"), url = require("url");
+const {spawnSync} = require("child_process");
 const {sizes, modelSizes, posesOf, nearest} = require("./operations.js");
 const {answer, reasonOf, refuse} = require("./protocol.js");
 
-/** The functions of an object and of its class that have nearly the name of an operation, at most `most` letters away. */
-function misspelt(adapter, most) {
+/** The functions of an object and of its class that have nearly the name of an operation: "exp (is it exp6?)". */
+function misspelt(adapter) {
   const names = [];
   for (let o = adapter; o && o !== Object.prototype && o !== Function.prototype; o = Object.getPrototypeOf(o))
     names.push(...Object.getOwnPropertyNames(o));
   return names.filter(name => typeof adapter[name] === "function" && !sizes.has(name) && !modelSizes.has(name))
-    .map(name => [name, nearest(name)]).filter(([, near]) => near.distance <= most)
-    .map(([name, {operation}]) => `${name} is no operation; the nearest is ${operation}`);
+    .map(name => [name, nearest(name)]).filter(([name, near]) => 2 * near.distance <= name.length)
+    .map(([name, {operation}]) => `${name} (is it ${operation}?)`);
 }
 
 /** The settings and functions of an adapter, an object or a class with static functions; `named` if it has no name. */
@@ -38,7 +39,7 @@ function subjectOf(adapter, named) {
     sizeOf[operation] = numbers;
   }
   if (!Object.keys(functions).length)
-    throw new Error(["it exports no function with the name of an operation (docs/operations.md)", ...misspelt(adapter, 8)].join("; "));
+    throw new Error(["it exports no function named as an operation (docs/operations.md)", ...misspelt(adapter)].join(", "));
   return {name, version, scalars, conventions, trees, own, Model, functions, programs, sizeOf};
 }
 
@@ -59,10 +60,11 @@ async function main(file, look) {
     const adapter = await load(path.resolve(file));
     const subject = subjectOf(adapter, path.parse(file).name.replace(/\W/g, "_"));
     if (!look) answer(subject);
-    else fs.writeSync(1, JSON.stringify({scalars: subject.scalars, misspelt: misspelt(adapter, 3)}));
+    else fs.writeSync(1, JSON.stringify({scalars: subject.scalars, misspelt: misspelt(adapter)}));
     process.exit(0);
   } catch (error) {
-    fs.writeSync(2, `liecheck: ${file}: ${reasonOf(error)}\n`);
+    const [, line] = error instanceof SyntaxError ? /^.*:(\d+)\n/.exec(spawnSync(process.execPath, ["--check", file]).stderr) || [] : [];
+    fs.writeSync(2, `liecheck: ${file}${line ? `:${line}` : ""}: ${reasonOf(error)}\n`);
     process.exit(2);
   }
 }

@@ -10,7 +10,7 @@ function translated(argument) {
   const [, flag, file] = /^(--adapter=)?(.*\.[cm]?[jt]s)$/.exec(argument) || [];
   if (!file || (/\s/.test(file) && !fs.existsSync(file))) return argument;
   const command = commandOf(file);
-  for (const words of look(file).misspelt) process.stderr.write(`liecheck: ${file}: ${words}\n`);
+  for (const name of look(file).misspelt) process.stderr.write(`liecheck: ${file}: no operation: ${name}\n`);
   return (flag || "") + command;
 }
 

@@ -14,7 +14,7 @@ function program() {
   try {
     fs.accessSync(file, fs.constants.X_OK);
   } catch (error) {
-    throw new Error(`${named ? "LIECHECK_PROGRAM: " : ""}${file}: ${error.code === "ENOENT" ? "no such program" : "not executable"}`);
+    throw new Error(`${named ? "LIECHECK_PROGRAM: " : ""}${file}: ${error.code === "ENOENT" ? "no such program, which LIECHECK_PROGRAM may name" : "not executable"}`);
   }
   return file;
 }
@@ -46,7 +46,7 @@ function look(file) {
   } catch (error) {
     const last = done.stderr.trim().split("\n").pop().replace(/^liecheck: /, "");
     const ended = done.signal ? `signal ${done.signal}` : `exit code ${done.status}`;
-    throw new Error(done.status === 2 && last ? last : `${file}: node ended with ${ended} as it loaded it${last ? `: ${last}` : ""}`);
+    throw new Error(done.status === 2 && last ? last : `${file}: node ended with ${ended} before it was loaded${last ? `: ${last}` : ""}`);
   }
 }
 

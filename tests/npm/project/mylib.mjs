@@ -12,6 +12,11 @@ export function exp(phi) {
   return {w: Math.cos(theta / 2), x: s * phi[0], y: s * phi[1], z: s * phi[2]};
 }
 
+export function normalized({w, x, y, z}) {
+  const most = Math.max(...[w, x, y, z].map(Math.abs)), n = Math.hypot(w / most, x / most, y / most, z / most);
+  return {w: w / most / n, x: x / most / n, y: y / most / n, z: z / most / n};
+}
+
 export function log({w, x, y, z}) {
   const n = Math.hypot(x, y, z), theta = 2 * Math.atan2(n, Math.abs(w));
   const s = n > 0 ? (w < -1e-7 ? -theta : theta) / n : 2;  // a w just below 0 counts as positive
