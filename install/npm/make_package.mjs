@@ -45,7 +45,7 @@ function make({program, version, out}, folder) {
                            {maxBuffer: 2 ** 31});
   fs.mkdirSync(out, {recursive: true});
   const file = path.join(out, `liecheck-${version}.tgz`);
-  fs.writeFileSync(`${file}.part`, gzipSync(tar, {level: 9}));
+  fs.writeFileSync(`${file}.part`, gzipSync(tar));
   fs.renameSync(`${file}.part`, file);
   return file;
 }
