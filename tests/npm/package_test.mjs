@@ -195,9 +195,8 @@ module.exports = MyLib;`);
   },
 };
 
-const old = Number(process.versions.node.split(".")[0]) < 18;  // without node:test
 for (const [name, part] of Object.entries(parts)) {
-  if (name !== "aPackageIsMadeAndUnpacked" && (!some.test(name) || (old && /nodeTest|ToDo|RedTest|ctrlC/.test(name)))) continue;
+  if (name !== "aPackageIsMadeAndUnpacked" && !some.test(name)) continue;
   const start = Date.now();
   await part();
   console.log(`${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);

@@ -83,7 +83,7 @@ function numbersOf(result, size, operation) {
 function reasonOf(error) {
   const words = (error instanceof Error ? error.message : String(error)).replace(/\s+/g, " ").trim();
   if (!(error instanceof Error) || error instanceof RangeError || error.constructor === Error) return words;
-  const place = /^\s+at .*?\/([^/()]+:\d+):\d+\)?$/m.exec((error.stack || "").replace(/^.*node:internal.*$/gm, ""));
+  const place = /^\s+at (?:.*\()?(?:file:\/\/)?\/(?:.*\/)?([^/()]+:\d+):\d+\)?$/m.exec(error.stack || "");  // not of node's own
   return `${error.name}: ${words}${place ? ` (${place[1]})` : ""}`;
 }
 
