@@ -152,8 +152,11 @@ export function exp3_quaternion([x, y, z]) {
     assert.match(of('export const scalars = ["half"], exp6 = x => x;'), /bad\.mjs: scalars is \["half"\], and must be /);
     assert.match(of('export const conventions = {quaternion: "zyxw"}, exp6 = x => x;'), /"zyxw" is no convention/);
     assert.match(refusal(["list"], {LIECHECK_PROGRAM: "/nowhere"}), /LIECHECK_PROGRAM: \/nowhere: no such program/);
+    write("foreign", "#!/no/such/loader\n");
+    fs.chmodSync(path.join(project, "foreign"), 0o755);
+    assert.match(refusal(["list"], {LIECHECK_PROGRAM: "./foreign"}), /\.\/foreign: not started .ENOENT.: it needs glibc/);
     write("platform.cjs", 'Object.defineProperty(process, "platform", {value: "darwin"});');
-    assert.match(refusal(["list"], {NODE_OPTIONS: "--require ./platform.cjs"}), /for linux-x64 with glibc, and this is darwin-x64: /);
+    assert.match(refusal(["list"], {NODE_OPTIONS: "--require ./platform.cjs"}), /for linux-x64, and this is darwin-x64: /);
   },
 
   whatIsWrongWithAResultIsSaidInWords() {

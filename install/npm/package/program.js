@@ -3,20 +3,23 @@
 const fs = require("fs"), path = require("path");
 const {spawnSync} = require("child_process");
 
-/** The program of this package, or that of the environment variable LIECHECK_PROGRAM. Throws an error if it cannot run. */
+/** The program of this package, or that of the environment variable LIECHECK_PROGRAM. Throws an error if there is none. */
 function program() {
   const named = process.env.LIECHECK_PROGRAM, file = named || path.join(__dirname, "bin", "liecheck");
-  const glibc = process.report && process.report.getReport().header.glibcVersionRuntime;
   const here = `${process.platform}-${process.arch}`;
-  if (!named && (here !== "linux-x64" || !glibc))
-    throw new Error(`the package has a program for linux-x64 with glibc, and this is ${here}${here === "linux-x64" ? " without it" : ""}: ` +
-                    "build one from source, and name it in LIECHECK_PROGRAM");
+  if (!named && here !== "linux-x64")
+    throw new Error(`the package has a program for linux-x64, and this is ${here}: build one from source, and name it in LIECHECK_PROGRAM`);
   try {
     fs.accessSync(file, fs.constants.X_OK);
   } catch (error) {
-    throw new Error(`${named ? "LIECHECK_PROGRAM: " : ""}${file}: ${error.code === "ENOENT" ? "no such program, which LIECHECK_PROGRAM may name" : "not executable"}`);
+    const why = error.code === "ENOENT" ? "no such program, which LIECHECK_PROGRAM may name" : "not executable";
+    throw new Error(`${named ? "LIECHECK_PROGRAM: " : ""}${file}: ${why}`);
   }
   return file;
+}
+/** Why the program, which is there, was not started. */
+function notStarted({code}) {
+  return new Error(`${program()}: not started (${code})${code === "ENOENT" ? ": it needs glibc" : ""}`);
 }
 
 /** A word of a shell. */
@@ -50,4 +53,4 @@ function look(file) {
   }
 }
 
-Object.assign(exports, {program, commandOf, look});
+Object.assign(exports, {program, notStarted, commandOf, look});

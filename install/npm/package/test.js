@@ -2,7 +2,7 @@
 "use strict";
 const {spawn, spawnSync} = require("child_process");
 const path = require("path"), url = require("url");
-const {program, commandOf, look} = require("./program.js");
+const {program, notStarted, commandOf, look} = require("./program.js");
 
 const running = new Set();  // programs, which end with this process
 function end() {
@@ -46,13 +46,12 @@ function run(file, args, t) {
       child[stream].setEncoding("utf8").on("data", more => text[stream] += more);
     const signal = t && t.signal;
     if (signal && signal.addEventListener) signal.addEventListener("abort", () => child.kill());
-    child.on("error", reject);
+    child.on("error", error => reject(notStarted(error)));
     child.on("close", (code, ended) => {
       const lines = text.stdout.split("\n").filter(line => !line.startsWith("--verbose"));
-      if (code === 1 || code === 3) return reject(failure(lines.join("\n").trim(), file));
       if (code !== 0) {
-        const last = text.stderr.trim().split("\n").pop();
-        return reject(failure(last || `liecheck ended with ${ended || `exit code ${code}`}`, file));
+        const told = code === 1 || code === 3 ? lines.join("\n").trim() : "", last = text.stderr.trim().split("\n").pop();
+        return reject(failure(told || last || `liecheck ended with ${ended || `exit code ${code}`}`, file));
       }
       const expected = lines.filter(line => /^expected failure: (?!.*: 0 of \d+ cases: )/.test(line));
       if (expected.length && t && typeof t.todo === "function") t.todo(expected.join("; "));
@@ -80,6 +79,7 @@ exports.laws = function laws(adapter, options = {}) {
   const command = commandOf(file), {scalars} = look(file);
   const flags = flagsOf(Object.assign({cases: 2000, seed: 42}, options));
   const listed = spawnSync(program(), ["list", "--laws", "--adapter", command], {encoding: "utf8"});
+  if (listed.error) throw notStarted(listed.error);
   if (listed.status !== 0) throw failure(listed.stderr.trim().split("\n").pop(), file);
   const cases = listed.stdout.trim().split("\n").map(law => scalars.map(scalar => ({
     law, scalar, name: `${law} in ${scalar}`,
