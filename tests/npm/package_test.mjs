@@ -160,16 +160,20 @@ export function exp3_quaternion([x, y, z]) {
   },
 
   whatIsWrongWithAResultIsSaidInWords() {
-    write("bad.mjs", `const exp = ([x, y, z]) => [x, y, z];
-export const exp3_quaternion = exp, normalize = async Q => Q, quaternion_inverse = Q => [Q[0], undefined, 1, 1], compose = X => X.a.b;
-export const relative_angle = x => "1", exp3_matrix = phi => { throw new RangeError("not\\ntoday"); }, expp6 = x => x;`);
+    write("bad.mjs", `import {refuse} from "liecheck";
+export const exp3_quaternion = ([x, y, z]) => [x, y, z], normalize = async Q => Q, quaternion_inverse = Q => [Q[0], undefined, 1, 1];
+export const compose = X => X.a.b, relative_angle = x => "1", exp3_matrix = phi => refuse("not\\ntoday"), expp6 = x => x;
+export const log3_quaternion = Q => process.exit(3);`);
     const {stdout, stderr, status} = liecheck(["adapter", "check", "bad.mjs"]);
     assert.strictEqual(status, 1);
     assert.match(stderr, /^liecheck: bad.mjs: no operation: expp6 \(is it exp6\?\)\n/);
-    for (const words of ["exp3_quaternion returned 3 numbers, and its result has 4", "normalize returned a promise, and must return 4 numbers",
-                         "quaternion_inverse returned undefined as number 1 of its result, from 0", "TypeError: .* (bad.mjs:2)",
-                         "relative_angle returned 1, and must return 1 number", "the input is refused: not today"])
+    for (const words of ["crashed: exp3_quaternion returned 3 numbers, and its result has 4", "crashed: normalize returned a promise, and must return 4 numbers",
+                         "crashed: quaternion_inverse returned undefined as number 1 of its result, from 0", "crashed: TypeError: .* (bad.mjs:3)",
+                         "crashed: relative_angle returned 1, and must return 1 numbers", "the input is refused: not today",
+                         "crashed: process.exit(3) was called"])
       assert.match(stdout, new RegExp(words.replace(/[()]/g, "\\$&")));
+    const all = liecheck(["test", "bad.mjs", "--property", "exp_oracle", "--cases", "200"]);
+    assert.match(all.stdout, /\n\d {2}exp3_quaternion .*crashed in double\n/);
   },
 
   classesFloatsTreesAndPosesAreServed() {

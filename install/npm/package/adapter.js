@@ -39,7 +39,7 @@ function subjectOf(adapter, named) {
     sizeOf[operation] = numbers;
   }
   if (!Object.keys(functions).length)
-    throw new Error(["it exports no function named as an operation (docs/operations.md)", ...misspelt(adapter)].join(", "));
+    throw new Error(["it exports no function named as an operation (docs/operations.md)"].concat(misspelt(adapter)).join(", "));
   return {name, version, scalars, conventions, trees, own, Model, functions, programs, sizeOf};
 }
 
@@ -56,16 +56,18 @@ async function load(file) {
 }
 
 async function main(file, look) {
+  const exit = process.exit;
   try {
     const adapter = await load(path.resolve(file));
     const subject = subjectOf(adapter, path.parse(file).name.replace(/\W/g, "_"));
     if (!look) answer(subject);
     else fs.writeSync(1, JSON.stringify({scalars: subject.scalars, misspelt: misspelt(adapter)}));
-    process.exit(0);
+    exit(0);
   } catch (error) {
-    const [, line] = error instanceof SyntaxError ? /^.*:(\d+)\n/.exec(spawnSync(process.execPath, ["--check", file]).stderr) || [] : [];
+    const checked = error instanceof SyntaxError ? spawnSync(process.execPath, ["--check", file]).stderr : "";
+    const [, line] = /^.*:(\d+)\n/.exec(checked) || [];
     fs.writeSync(2, `liecheck: ${file}${line ? `:${line}` : ""}: ${reasonOf(error)}\n`);
-    process.exit(2);
+    exit(2);
   }
 }
 if (require.main === module) main(...process.argv.slice(2));

@@ -4,12 +4,13 @@ export type OperationName = string;
 export type Numbers = Float64Array | Float32Array;
 /** The numbers of a result, one after the other; a matrix may be a list of rows. */
 export type Result = number | ArrayLike<number> | Iterable<number> | number[][] | void;
-/** A function that refuses an input by throwing an error, a RangeError or any other. */
+/** A function, which refuses an input by throwing a RangeError; any other error is a crash. */
 export type Call = (x: any) => Result;
 
 /** A joint of a model: "Trees and robots" in docs/adapters.md. */
 export interface Joint {
-  kind: "revolute" | "prismatic" | "continuous" | "helical" | "spherical" | "planar" | "translation" | "free-flyer" | "mimic";
+  kind: "revolute" | "prismatic" | "continuous" | "helical" | "spherical" | "planar" | "translation" | "free-flyer"
+    | "mimic";
   parent: number;
   Q: number[];
   p: number[];
@@ -49,7 +50,7 @@ export interface Settings {
   scalars?: ("double" | "float")[];
   /** Conventions other than liecheck's, such as {quaternion: "wxyz"}. */
   conventions?: {[of: string]: string};
-  /** A class with operations on trees and robots; its constructor refuses a model by throwing an error. */
+  /** A class with operations on trees and robots; its constructor refuses a model by throwing any error. */
   Model?: new (model: Model) => object;
   /** Which models the class takes. */
   trees?: {models?: ("joints" | "urdf" | "mimics")[]; joints?: string[]; references?: ("world" | "local" | "aligned")[]};

@@ -3,14 +3,14 @@
 "use strict";
 const fs = require("fs"), os = require("os");
 const {spawn} = require("child_process");
-const {program, notStarted, commandOf, look} = require("./program.js");
+const {program, notStarted, commandOf, scalarsOf} = require("./program.js");
 
 /** An argument as the program takes it. */
 function translated(argument) {
   const [, flag, file] = /^(--adapter=)?(.*\.[cm]?[jt]s)$/.exec(argument) || [];
   if (!file || (/\s/.test(file) && !fs.existsSync(file))) return argument;
   const command = commandOf(file);
-  for (const name of look(file).misspelt) process.stderr.write(`liecheck: ${file}: no operation: ${name}\n`);
+  scalarsOf(file);
   return (flag || "") + command;
 }
 

@@ -3,12 +3,13 @@
 const fs = require("fs"), path = require("path");
 const {spawnSync} = require("child_process");
 
-/** The program of this package, or that of the environment variable LIECHECK_PROGRAM. Throws an error if there is none. */
+/** The program of this package, or what LIECHECK_PROGRAM names. Throws an error if it is not there. */
 function program() {
   const named = process.env.LIECHECK_PROGRAM, file = named || path.join(__dirname, "bin", "liecheck");
   const here = `${process.platform}-${process.arch}`;
   if (!named && here !== "linux-x64")
-    throw new Error(`the package has a program for linux-x64, and this is ${here}: build one from source, and name it in LIECHECK_PROGRAM`);
+    throw new Error(`the package has a program for linux-x64, and this is ${here}: build one from source, and name it in ` +
+                    "LIECHECK_PROGRAM");
   try {
     fs.accessSync(file, fs.constants.X_OK);
   } catch (error) {
@@ -38,19 +39,22 @@ function commandOf(file) {
   return [process.execPath, shown(path.join(__dirname, "adapter.js")), shown(path.resolve(file))].map(quoted).join(" ");
 }
 
-/** The scalars of the adapter of a file, and what it may have misspelt. Throws an error if it cannot be loaded. */
-function look(file) {
+/** The scalars of the adapter of a file; says what it may have misspelt. Throws an error if it cannot be loaded. */
+function scalarsOf(file) {
   const seconds = 15;
   const done = spawnSync(process.execPath, [path.join(__dirname, "adapter.js"), file, "--look"],
                          {encoding: "utf8", timeout: 1000 * seconds});
   if (done.error && done.error.code === "ETIMEDOUT") throw new Error(`${file}: it was not loaded in ${seconds} s`);
   try {
-    return JSON.parse(done.stdout);
+    const {scalars, misspelt} = JSON.parse(done.stdout);
+    for (const name of misspelt) process.stderr.write(`liecheck: ${file}: no operation: ${name}\n`);
+    return scalars;
   } catch (error) {
     const last = done.stderr.trim().split("\n").pop().replace(/^liecheck: /, "");
     const ended = done.signal ? `signal ${done.signal}` : `exit code ${done.status}`;
-    throw new Error(done.status === 2 && last ? last : `${file}: node ended with ${ended} before it was loaded${last ? `: ${last}` : ""}`);
+    if (done.status === 2 && last) throw new Error(last);
+    throw new Error(`${file}: node ended with ${ended} before it was loaded${last ? `: ${last}` : ""}`);
   }
 }
 
-Object.assign(exports, {program, notStarted, commandOf, look});
+Object.assign(exports, {program, notStarted, commandOf, scalarsOf});

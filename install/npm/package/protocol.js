@@ -69,8 +69,10 @@ function numbersOf(result, size, operation) {
   let numbers = typeof result === "number" ? [result] : result;
   if (Array.isArray(numbers)) numbers = numbers.flat(Infinity);
   else if (numbers && typeof numbers.length !== "number" && numbers[Symbol.iterator]) numbers = Array.from(numbers);
-  if (typeof numbers !== "object" || !numbers || typeof numbers.length !== "number")
-    throw new Error(`${operation} returned ${numbers && numbers.then ? "a promise" : `${numbers}`}, and must return ${size} numbers`);
+  if (typeof numbers !== "object" || !numbers || typeof numbers.length !== "number") {
+    const what = numbers && numbers.then ? "a promise" : String(numbers);
+    throw new Error(`${operation} returned ${what}, and must return ${size} numbers`);
+  }
   if (numbers.length !== size)
     throw new Error(`${operation} returned ${numbers.length} numbers, and its result has ${size}`);
   for (let i = 0; i < size; ++i)
@@ -83,7 +85,8 @@ function numbersOf(result, size, operation) {
 function reasonOf(error) {
   const words = (error instanceof Error ? error.message : String(error)).replace(/\s+/g, " ").trim();
   if (!(error instanceof Error) || error instanceof RangeError || error.constructor === Error) return words;
-  const place = /^\s+at (?:.*\()?(?:file:\/\/)?\/(?:.*\/)?([^/()]+:\d+):\d+\)?$/m.exec(error.stack || "");  // not of node's own
+  // The first file, which is no part of node.
+  const place = /^\s+at (?:.*\()?(?:file:\/\/)?\/(?:.*\/)?([^/()]+:\d+):\d+\)?$/m.exec(error.stack || "");
   return `${error.name}: ${words}${place ? ` (${place[1]})` : ""}`;
 }
 
@@ -104,13 +107,16 @@ function descriptionOf({name, version, scalars, conventions, trees, own, functio
 
 /**
  * Answers calls until the input ends. Of a subject: functions: operation -> a function of the numbers of one input, a
- * Float32Array or a Float64Array, which returns those of its result, and refuses an input by throwing an error; null if
- * it is one of the class Model, which is made of a model. sizeOf: operation -> how many numbers these are, for a model.
+ * Float32Array or a Float64Array, which returns those of its result; a RangeError refuses the input, any other error is a
+ * crash; null if it is one of the class Model, which is made of a model. sizeOf: operation -> how many numbers these are, for a model.
  * programs: operation -> the same call for a user of the library, with {phi} and so on for the numbers. own: operation ->
  * a function that makes of an input a call in the library's own types, which is timed instead.
  */
 function answer(subject) {
   Object.defineProperty(process, "stdout", {get: () => process.stderr});  // what the library prints is no answer
+  process.exit = code => {
+    throw new Error(`process.exit(${code}) was called`);
+  };
   let model = null, description = {};
   readLine();  // "liecheck 1"
   write(Buffer.from(descriptionOf(subject)));
@@ -143,16 +149,18 @@ function answer(subject) {
       continue;
     }
     const results = new Numbers(n * resultSize), status = Buffer.alloc(n);
-    let reason = "";
-    for (let i = 0; i < n; ++i) {
+    let reason = "", crash = "";
+    for (let i = 0; i < n && !crash; ++i) {
       try {
         results.set(numbersOf(f(input(i)), resultSize, operation), i * resultSize);
       } catch (error) {
+        if (!(error instanceof RangeError)) crash = reasonOf(error);
         status[i] = 1;
         reason = ` ${reasonOf(error)}`;
       }
     }
-    write(Buffer.concat([Buffer.from(`done ${n}${reason}\n`), status, Buffer.from(results.buffer)]));
+    if (crash) write(Buffer.from(`crashed ${crash}\n`));
+    else write(Buffer.concat([Buffer.from(`done ${n}${reason}\n`), status, Buffer.from(results.buffer)]));
   }
 }
 

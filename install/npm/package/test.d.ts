@@ -4,14 +4,15 @@ export interface Law {
   law: string;
   scalar: "double" | "float";
   /**
-   * Resolves if the library fulfils the law. Otherwise the message of the error is what `liecheck test` prints. Given the
-   * context of node:test, it marks a failure that a limits file expects as `todo`.
+   * Resolves if the library fulfils the law. Otherwise the message of the error is what `liecheck test` prints. Given
+   * the context of node:test, it marks a failure that a limits file expects as `todo`.
    */
   run(...context: unknown[]): Promise<void>;
 }
+/** Flags of `liecheck test`: {cases: 500, "no-probe": true}. 2000 cases and seed 42 if they are not given. */
+export type Flags = {[flag: string]: string | number | true | (string | number)[]};
 /**
- * A case for each law and scalar of which the adapter offers an operation. adapter: a path from the working folder, or a
- * URL. options: flags of `liecheck test`, such as {cases: 500, seed: 1, limits: "mylib.limits", "no-probe": true}; 2000
- * cases and seed 42 if they are not given.
+ * A case for each law and scalar of which the adapter offers an operation. adapter: a path from the working folder, or
+ * a URL.
  */
-export function laws(adapter: string | URL, options?: {[flag: string]: string | number | true | (string | number)[]}): Law[];
+export function laws(adapter: string | URL, options?: Flags): Law[];

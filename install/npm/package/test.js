@@ -2,7 +2,7 @@
 "use strict";
 const {spawn, spawnSync} = require("child_process");
 const path = require("path"), url = require("url");
-const {program, notStarted, commandOf, look} = require("./program.js");
+const {program, notStarted, commandOf, scalarsOf} = require("./program.js");
 
 const running = new Set();  // programs, which end with this process
 function end() {
@@ -50,13 +50,13 @@ function run(file, args, t) {
     child.on("close", (code, ended) => {
       const lines = text.stdout.split("\n").filter(line => !line.startsWith("--verbose"));
       if (code !== 0) {
-        const told = code === 1 || code === 3 ? lines.join("\n").trim() : "", last = text.stderr.trim().split("\n").pop();
+        const told = code === 1 || code === 3 ? lines.join("\n").trim() : "";
+        const last = text.stderr.trim().split("\n").pop();
         return reject(failure(told || last || `liecheck ended with ${ended || `exit code ${code}`}`, file));
       }
-      const expected = lines.filter(line => /^expected failure: (?!.*: 0 of \d+ cases: )/.test(line));
-      if (expected.length && t && typeof t.todo === "function") t.todo(expected.join("; "));
-      for (const line of lines)
-        if (line.startsWith("expected failure that passed") && t && typeof t.diagnostic === "function") t.diagnostic(line);
+      const tell = (how, told) => told.length && t && typeof t[how] === "function" && t[how](told.join("; "));
+      tell("todo", lines.filter(line => /^expected failure: (?!.*: 0 of \d+ cases: )/.test(line)));
+      tell("diagnostic", lines.filter(line => line.startsWith("expected failure that passed: ")));
       resolve();
     });
   });
@@ -76,12 +76,14 @@ function flagsOf(options) {
  */
 exports.laws = function laws(adapter, options = {}) {
   const file = adapter instanceof URL || /^file:/.test(adapter) ? url.fileURLToPath(adapter) : adapter;
-  const command = commandOf(file), {scalars} = look(file);
+  const command = commandOf(file), scalars = scalarsOf(file);
   const flags = flagsOf(Object.assign({cases: 2000, seed: 42}, options));
   const listed = spawnSync(program(), ["list", "--laws", "--adapter", command], {encoding: "utf8"});
   if (listed.error) throw notStarted(listed.error);
   if (listed.status !== 0) throw failure(listed.stderr.trim().split("\n").pop(), file);
-  const cases = listed.stdout.trim().split("\n").map(law => scalars.map(scalar => ({
+  const names = listed.stdout.split("\n").filter(Boolean);
+  if (!names.length) throw failure(`${file}: no law has only operations that it offers`, file);
+  const cases = names.map(law => scalars.map(scalar => ({
     law, scalar, name: `${law} in ${scalar}`,
     // Without a named argument, so that a runner does not take it for a callback.
     run: (...context) => run(file, ["test", command, "--property", law, "--scalar", scalar, ...flags], context[0]),
