@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
@@ -16,6 +17,7 @@ namespace {
 /// What liecheck measures to show what a formula can reach: its name for coefficients of the angle, that for other operations.
 const std::map<std::string, std::array<const char*, 2>> forms = {
     {"textbook", {"the closed form with a cutoff", "the textbook's form"}},
+    {"textbook:half_angles", {"half angles", "the textbook's form in half angles"}},
     {"liecheck:fast", {"a series", "liecheck's form without compensation"}},
     {"liecheck", {"a compensated series", "liecheck's form"}},
     {"liecheck:tight", {"a series in double words", "liecheck's form in double words"}}};
@@ -56,11 +58,23 @@ const RegionPoint& fastest_accurate(const std::vector<RegionPoint>& points) {
   return *std::ranges::find_if(points, [&](const RegionPoint& p) { return digits(p) >= most - 1; });
 }
 
-std::string among_libraries(const std::vector<RegionPoint>& points) {
+/// What calls with many inputs take, where it is less and loses nothing.
+std::string many_text(const std::vector<RegionPoint>& many, const RegionPoint& one, const std::string& name) {
+  const auto best = std::ranges::find_if(many, [&](const RegionPoint& p) {
+    return (name.empty() || p.subject == name) && p.scalar == one.scalar && digits(p) >= digits(one) - 1 &&
+           p.high < one.low;
+  });
+  return best == many.end()
+             ? ""
+             : fmt::format("; {} at once: {}{} each", best->batch,
+                           name.empty() ? escaped(best->subject) + ", " : "", time_text(best->ns));
+}
+
+std::string among_libraries(const std::vector<RegionPoint>& points, const std::vector<RegionPoint>& many) {
   const RegionPoint& take = fastest_accurate(points);
   const double whole = std::floor(digits(take));
-  const std::string text =
-      fmt::format("For {:.0f} digits take <b>{}</b> ({})", whole, escaped(take.name()), time_text(take.ns));
+  const std::string text = fmt::format("For {:.0f} digits take <b>{}</b> ({}{})", whole, escaped(take.name()),
+                                       time_text(take.ns), many_text(many, take, ""));
   for (const RegionPoint& p : points)
     if (p.subject != take.subject && p.scalar == take.scalar && is_as_fast(p, take) && digits(p) <= whole - 2)
       return text + fmt::format("; {} ({}) {}", escaped(p.subject), time_text(p.ns), lost_text(p, whole)) +
@@ -68,13 +82,14 @@ std::string among_libraries(const std::vector<RegionPoint>& points) {
   return text + ".";
 }
 
-std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint>& forms_of_it) {
+std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint>& forms_of_it,
+                           const std::vector<RegionPoint>& many) {
   const auto named = [](const RegionPoint& p) {
     return fmt::format("{} ({})", forms.at(p.subject)[has_coefficients(p.operation) ? 0 : 1],
                        escaped(p.subject));
   };
-  const std::string text =
-      fmt::format("{}: {:.1f} digits, {}", escaped(own.scalar), digits(own), time_text(own.ns));
+  const std::string text = fmt::format("{}: {:.1f} digits, {}{}", escaped(own.scalar), digits(own),
+                                       time_text(own.ns), many_text(many, own, own.subject));
   if (forms_of_it.empty()) return text;
   const RegionPoint& more = fastest_accurate(forms_of_it);
   if (const double won = digits(more) - digits(own); won > 1) {
@@ -113,28 +128,32 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
   std::vector<RegionPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["operation"] != operation || row["error"].is_null() || other_flags(row)) continue;
-    RegionPoint p;
-    p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation;
-    const bool whole = region.bands.front() == "mixed";
-    double sets = 0, worst = -1;
-    for (const Json& set : row["sets"]) {
-      const std::string name = set["set"];
-      const bool timed = std::ranges::count(region.bands, name) > 0 && !set["latency"].is_null();
-      if (timed) {
-        const Json& latency = set["latency"];
-        const double unit = latency["ns"].get<double>() / latency["ratio"].get<double>();
-        ++sets, p.ns += latency["ns"].get<double>();
-        p.low += unit * latency["low"].get<double>(), p.high += unit * latency["high"].get<double>();
+    for (const char* what : {"latency", "throughput"}) {
+      const bool many = what == std::string_view("throughput");
+      if (many && !takes_many(row)) continue;
+      RegionPoint p;
+      p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation;
+      double sets = 0, worst = -1;
+      for (const Json& set : row["sets"]) {
+        const std::string name = set["set"];
+        const bool timed = std::ranges::count(region.bands, name) > 0 && !set[what].is_null();
+        if (timed) {
+          const Json& time = set[what];
+          const double unit = time["ns"].get<double>() / time["ratio"].get<double>();
+          ++sets, p.ns += time["ns"].get<double>();
+          p.low += unit * time["low"].get<double>(), p.high += unit * time["high"].get<double>();
+          if (many) p.batch = set["inputs"];
+        }
+        if (!timed && region.bands.front() != "mixed") continue;
+        const double error =
+            error_of_set(set, row["eps"]);  // of all inputs, the first band with the worst error is named
+        if (error > worst) worst = error, p.where = band_words(name);
       }
-      if (!timed && !whole) continue;
-      const double error =
-          error_of_set(set, row["eps"]);  // of all inputs, the first band with the worst error is named
-      if (error > worst) worst = error, p.where = band_words(name);
+      if (sets == 0 || worst < 0) continue;
+      p.ns /= sets, p.low /= sets, p.high /= sets;
+      p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
+      points.push_back(p);
     }
-    if (sets == 0 || worst < 0) continue;
-    p.ns /= sets, p.low /= sets, p.high /= sets;
-    p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
-    points.push_back(p);
   }
   std::ranges::sort(points, {}, &RegionPoint::ns);
   return points;
@@ -146,8 +165,11 @@ std::string only_library(const Merged& merged) {
   return std::distance(all.begin(), all.end()) == 1 ? *all.begin() : std::string();
 }
 
-std::string cost_sentence(const std::vector<RegionPoint>& points, const std::string& own_library) {
-  if (own_library.empty()) return points.empty() ? "" : among_libraries(points);
+std::string cost_sentence(const std::vector<RegionPoint>& all, const std::string& own_library) {
+  std::vector<RegionPoint> points, many;
+  std::ranges::partition_copy(all, std::back_inserter(many), std::back_inserter(points),
+                              [](const RegionPoint& p) { return p.batch > 1; });
+  if (own_library.empty()) return points.empty() ? "" : among_libraries(points, many);
   std::string text;
   for (const char* scalar : {"double", "float"}) {
     const RegionPoint* own = nullptr;
@@ -159,7 +181,7 @@ std::string cost_sentence(const std::vector<RegionPoint>& points, const std::str
       else if (forms.contains(p.subject))
         forms_of_it.push_back(p);
     }
-    if (own) text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it) + ".";
+    if (own) text += (text.empty() ? "" : "<br>") + of_one_library(*own, forms_of_it, many) + ".";
   }
   return text;
 }

@@ -11,9 +11,10 @@ namespace liecheck::reports {
 struct RegionPoint {
   std::string subject, scalar, operation;
   double ns = 0, low = 0,
-         high = 0;    ///< latency of a call and its spread, the mean over the bands of the region
-  double error = 0;   ///< largest relative error found, at least eps/2; infinite if a case has no result
-  std::string where;  ///< the band of the region with this error
+         high = 0;        ///< time of an input and its spread, the mean over the bands of the region
+  double error = 0;       ///< largest relative error found, at least eps/2; infinite if a case has no result
+  std::string where;      ///< the band of the region with this error
+  std::size_t batch = 1;  ///< inputs of one call
   std::string name() const { return subject + " in " + scalar; }
 };
 

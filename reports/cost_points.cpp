@@ -10,6 +10,12 @@ bool other_flags(const Json& row) {
   return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
 }
 
+bool takes_many(const Json& row) {
+  const Json& all = row["sets"].back();
+  return all["latency"].is_null() ||
+         (row.contains("timed") && row["timed"].get_ref<const std::string&>().ends_with("many"));
+}
+
 double error_of_set(const Json& set, double eps) {
   double most = -1;
   for (const Json& b : set["blocks"]) {
@@ -29,12 +35,16 @@ std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
                          ? std::prev(row["sets"].end())
                          : std::ranges::find_if(row["sets"], [&](const Json& s) { return s["set"] == set; });
     if (own == row["sets"].end()) continue;
-    const Json& latency = (*own)["latency"];
     const double error = set.empty() ? figure(row["error"]) : error_of_set(*own, row["eps"]);
     if (error < 0) continue;
-    points.push_back({row["subject"], row["scalar"], row["operation"], error,
-                      latency.is_null() ? 0 : latency["ns"].get<double>(),
-                      set.empty() && !row["dominated_latency"].is_null()});
+    const auto add = [&](const Json& time, bool dominated, std::size_t batch) {
+      points.push_back({row["subject"], row["scalar"], row["operation"], error,
+                        time.is_null() ? 0 : time["ns"].get<double>(), dominated, batch});
+    };
+    const Json &latency = (*own)["latency"], &throughput = (*own)["throughput"];
+    const bool many = takes_many(row) && !throughput.is_null();
+    if (!many || !latency.is_null()) add(latency, set.empty() && !row["dominated_latency"].is_null(), 1);
+    if (many) add(throughput, false, (*own)["inputs"]);
   }
   return points;
 }
@@ -47,7 +57,7 @@ double digits_of(const CostPoint& p) {
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation) {
   std::vector<const CostPoint*> front;
   for (const CostPoint& p : points)
-    if (p.operation == operation && !p.dominated && p.latency > 0) front.push_back(&p);
+    if (p.operation == operation && !p.dominated && p.latency > 0 && p.batch == 1) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
   // A step at least halves the error, because a smaller change of a sampled maximum means little. A slower

@@ -7,24 +7,30 @@
 
 namespace liecheck::reports {
 
-/// One subject in one scalar on one operation, over all inputs.
+/// One subject in one scalar on one operation, over all inputs, called one by one or many at once.
 struct CostPoint {
   std::string subject, scalar, operation;
   double error = 0;        ///< largest relative error found; infinite if a case has no result
-  double latency = 0;      ///< median [ns]; 0 if not timed
+  double latency = 0;      ///< median time of an input [ns]; 0 if not timed
   bool dominated = false;  ///< whether another row of the operation dominates this one, by latency
-  std::string name() const { return subject + " in " + scalar; }
+  std::size_t batch = 1;   ///< inputs of one call
+  std::string name() const { return subject + " in " + scalar + at_once(); }
+  std::string at_once() const { return batch > 1 ? ", " + std::to_string(batch) + " at once" : ""; }
 };
 
 /// Whether a row is the same code with other compiler flags, "liecheck@gcc-O2".
 bool other_flags(const Json& row);
+
+/// Whether one call of the row computes many inputs when its throughput is measured.
+bool takes_many(const Json& row);
 
 /// The largest relative error of the inputs of a set, as `error` of a row is that of all: infinite if one has no error, and
 /// -1 if none was measured.
 double error_of_set(const Json& set, double eps);
 
 /// The points in the order of the record, without the rows of `call` and of other compiler flags: over all inputs or, with
-/// the name of a set, over those of one band of angles, where none counts as dominated.
+/// the name of a set, over those of one band of angles, where none counts as dominated. A row that takes many inputs at once
+/// has a point more, or only this one.
 std::vector<CostPoint> cost_points(const Json& cost, const std::string& set = "");
 
 /// The correct digits that are shown: at most those that the scalar has.

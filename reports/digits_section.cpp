@@ -48,7 +48,7 @@ std::string digits_table(const Looks& looks) {
   for (const Json& record : looks.merged.records)
     if (record.contains("cost"))
       for (const CostPoint& p : cost_points(record["cost"]))
-        times[{p.operation, p.subject, p.scalar}] = p.latency;
+        if (p.batch == 1) times[{p.operation, p.subject, p.scalar}] = p.latency;
   std::string heads = "<tr><th scope=\"col\" rowspan=\"2\">operation</th>", scalars = "<tr>", names;
   for (const Region& r : regions) names += fmt::format("<i>{}</i>", r.brief);
   if (!times.empty()) names += "<em>ns</em>";

@@ -55,7 +55,7 @@ std::string price_of(const Looks& looks, const Json& finding) {
   const std::vector<CostPoint> points = cost_points(*cost);
   const CostPoint *own = nullptr, *better = nullptr;
   for (const CostPoint& p : points) {
-    if (p.operation != operation || p.scalar != "double" || p.latency <= 0) continue;
+    if (p.operation != operation || p.scalar != "double" || p.latency <= 0 || p.batch > 1) continue;
     if (p.subject == subject)
       own = &p;
     else if (judged(p.subject) && (!better || p.latency < better->latency))

@@ -267,9 +267,10 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
   for (double d = std::ceil(least / step) * step; d <= most; d += step)
     out += line(left, y(d), right, y(d), "grid") + text(left - 4, y(d) + 3.5, fmt::format("{:g}", d), "end");
   out += text((left + right) / 2, height - 12, "latency of a call [ns]");
-  std::vector<const CostPoint*> front;
+  std::vector<const CostPoint*> front;  // of calls with one input
   for (const CostPoint* p : own)
-    if (!p->dominated && (front.empty() || digits(p) > digits(front.back()))) front.push_back(p);
+    if (p->batch == 1 && !p->dominated && (front.empty() || digits(p) > digits(front.back())))
+      front.push_back(p);
   std::string stairs, spoken, marks, names;
   for (const CostPoint* p : front) {
     const double px = x(p->latency), py = y(digits(p));
@@ -297,7 +298,9 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
           marker(x(p->latency), y(digits(p)), look == looks.of.end() ? 0 : look->second,
                  fmt::format("{}: {:.1f} correct digits, {:.3g} ns", p->name(), digits(p), p->latency),
                  on_front ? "mark bad" : "mark"));
-      names += placed.name(x(p->latency), y(digits(p)), p->subject + (p->scalar == "float" ? " float" : ""),
+      names += placed.name(x(p->latency), y(digits(p)),
+                           p->subject + (p->scalar == "float" ? " float" : "") +
+                               (p->batch > 1 ? fmt::format(" × {}", p->batch) : ""),
                            of_front ? "strong" : "");
     }
   return drawn(

@@ -222,7 +222,8 @@ void add_subjects(CostOptions& o, const std::vector<std::string>& adapters) {
 void add_forms(CostOptions& o) {
   if (o.operations.empty()) o.operations = cost_operations_of(o.subjects);
   for (const std::string& name : subject_names())
-    if ((name == "liecheck" || name == "textbook" || name.starts_with("liecheck:")) &&
+    if ((name == "liecheck" || name == "textbook" || name == "textbook:half_angles" ||
+         name.starts_with("liecheck:")) &&
         std::ranges::count(o.subjects, name) == 0)
       o.subjects.push_back(name);
 }
@@ -260,7 +261,7 @@ Command cost_command(CLI::App& program) {
              whole = a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
   const Flag curve =
       a.toggle("--curve", o.curve,
-               "instead: error over the angle, and time, of textbook:CUTOFF, series:TERMS and liecheck");
+               "instead: error over the angle, and time, of textbook:CUTOFF, textbook:half_angles, series:TERMS and liecheck");
   curve.needs(operation);
   a.hidden_toggle("--times-only", a->times_only);
   const Flag json = a.json(a->json, "write times and errors to FILE");

@@ -23,6 +23,7 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
     if (!scalars.empty()) say("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
   say("  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
+      "  textbook:half_angles: textbook in half angles, without a cutoff; it runs only if named\n"
       "  series:1 ... series:12: the same with series of this number of terms; they run only if named\n"
       "  of the laboratory (liecheck-lab), run only if named:\n"
       "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck lab bugs'\n"

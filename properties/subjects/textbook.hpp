@@ -93,16 +93,40 @@ struct Textbook : Types<S> {
   M3 right_jacobian3(const V3& phi) const { return left_jacobian3(-phi); }
   M3 right_jacobian3_inverse(const V3& phi) const { return left_jacobian3_inverse(-phi); }
 
-  Pose<S> exp6(const V6& xi) const {
+  /// Those on poses with the rotations of a form: its exp, log and Jacobians.
+  template <class Form>
+  static Pose<S> exp6_with(const Form& f, const V6& xi) {
     const V3 phi = xi.template tail<3>();
-    return {exp3_matrix(phi), left_jacobian3(phi) * xi.template head<3>()};
+    return {f.exp3_matrix(phi), f.left_jacobian3(phi) * xi.template head<3>()};
   }
-  V6 log6(const Pose<S>& T) const {
-    const V3 phi = log3_matrix(T.R);
+  template <class Form>
+  static V6 log6_with(const Form& f, const Pose<S>& T) {
+    const V3 phi = f.log3_matrix(T.R);
     V6 xi;
-    xi << left_jacobian3_inverse(phi) * T.p, phi;
+    xi << f.left_jacobian3_inverse(phi) * T.p, phi;
     return xi;
   }
+  template <class Form>
+  static V7 integrate_with(const Form& f, const V7& q, const V6& delta) {
+    const V3 phi = delta.template tail<3>();
+    const V4 Q = q.template tail<4>();
+    V7 result;
+    result << q.template head<3>() + matrix(Q) * (f.left_jacobian3(phi) * delta.template head<3>()),
+        product(Q, f.exp3_quaternion(phi)).normalized();
+    return result;
+  }
+  template <class Form>
+  static V6 difference_with(const Form& f, const V7& q0, const V7& q1) {
+    V4 inverse = q0.template tail<4>();
+    inverse.template head<3>() *= S(-1);
+    const V3 phi = f.log3_quaternion(product(inverse, q1.template tail<4>()));
+    const V3 p = matrix(inverse) * (q1.template head<3>() - q0.template head<3>());
+    V6 delta;
+    delta << f.left_jacobian3_inverse(phi) * p, phi;
+    return delta;
+  }
+  Pose<S> exp6(const V6& xi) const { return exp6_with(*this, xi); }
+  V6 log6(const Pose<S>& T) const { return log6_with(*this, T); }
 
   /// Barfoot & Furgale (2014), eq. 102, as printed.
   M3 coupling(const V3& rho, const V3& phi) const {
@@ -141,23 +165,8 @@ struct Textbook : Types<S> {
     return q;
   }
   static M3 matrix(const V4& q) { return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix(); }
-  V7 integrate(const V7& q, const V6& delta) const {
-    const V3 phi = delta.template tail<3>();
-    const V4 Q = q.template tail<4>();
-    V7 result;
-    result << q.template head<3>() + matrix(Q) * (left_jacobian3(phi) * delta.template head<3>()),
-        product(Q, exp3_quaternion(phi)).normalized();
-    return result;
-  }
-  V6 difference(const V7& q0, const V7& q1) const {
-    V4 inverse = q0.template tail<4>();
-    inverse.template head<3>() *= S(-1);
-    const V3 phi = log3_quaternion(product(inverse, q1.template tail<4>()));
-    const V3 p = matrix(inverse) * (q1.template head<3>() - q0.template head<3>());
-    V6 delta;
-    delta << left_jacobian3_inverse(phi) * p, phi;
-    return delta;
-  }
+  V7 integrate(const V7& q, const V6& delta) const { return integrate_with(*this, q, delta); }
+  V6 difference(const V7& q0, const V7& q1) const { return difference_with(*this, q0, q1); }
   M6 d_integrate_arg0(const V7&, const V6& delta) const {
     const Pose<S> T = exp6(-delta);
     M6 X = M6::Zero();

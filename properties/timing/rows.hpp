@@ -89,9 +89,8 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
       if (!made[0]) made = {signature.arguments(numbers), signature.arguments(shuffled)};
       for (const int i : {0, 1}) passes[i] = function_passes(signature, offered.function, made[i]);
     }
-    // Batches and libraries compiled with other flags are timed on all bands together.
-    const bool by_band = bands && !plan.options.curve && (is_adapter || signature.latency) &&
-                         row.subject.find('@') == std::string::npos;
+    // Libraries compiled with other flags are timed on all bands together.
+    const bool by_band = bands && !plan.options.curve && row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     std::vector<TimedSet> timed;  // added to the plan with their row, or not at all
     const auto time = [&](std::size_t set, const Passes& all, std::size_t first, std::size_t n) {

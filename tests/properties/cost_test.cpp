@@ -129,6 +129,10 @@ TEST(Curve, EachTermOfASeriesWinsDigitsAndATextbookLosesThemOnBothSidesOfItsCuto
     EXPECT_LT(book.at(near_1e_5), 14) << operation;  // the leading term alone
     EXPECT_LT(book.at(near_1e_3), 14) << operation;  // 1 - cos theta cancels
   }
+  for (const char* operation : {"left_jacobian3", "log3_quaternion"}) {  // in half angles nothing cancels
+    const auto half = digits.at({operation, "textbook:half_angles"});
+    EXPECT_GT(*std::ranges::min_element(half), 14.5) << operation;
+  }
 }
 
 TEST(Loops, LatencyWaitsForTheLastResultAndThroughputDoesNot) {

@@ -53,6 +53,36 @@ TEST(CostReport, OfOneLibraryComparesItWithWhatItsFormulaCouldReachAndAdvertises
             "double: 15.0 digits, 40 ns; a series (liecheck:fast) has no fewer and takes 20 ns.");
 }
 
+RegionPoint many(const char* subject, double ns, double error) {
+  RegionPoint p = point(subject, ns, error);
+  p.batch = 256;
+  return p;
+}
+
+TEST(CostReport, CallsWithManyInputsAreNamedWhereTheyTakeLessAndLoseNothing) {
+  EXPECT_EQ(cost_sentence({many("batch", 3, 4e-16), many("rough", 1, 1e-8), point("exact", 18, 4e-16)}, ""),
+            "For 15 digits take <b>exact in double</b> (18 ns; 256 at once: batch, 3 ns each).");
+  EXPECT_EQ(cost_sentence({many("mine", 200, 9e-16), point("mine", 9000, 9e-16)}, "mine"),
+            "double: 15.0 digits, 9 µs; 256 at once: 200 ns each.");
+  EXPECT_EQ(cost_sentence({point("mine", 9, 9e-16), many("mine", 9, 9e-16)}, "mine"),
+            "double: 15.0 digits, 9 ns.");
+
+  Json all = cost();
+  Json& row = all["rows"][0];
+  const auto points_of = [&] {
+    std::string text;
+    for (const CostPoint& p : cost_points(all))
+      if (p.subject == row["subject"] && p.scalar == row["scalar"] && p.operation == row["operation"])
+        text += p.name() + "; ";
+    return text;
+  };
+  const std::string one = points_of();
+  row["timed"] = "one, many", row["sets"].back()["inputs"] = 1280;
+  EXPECT_EQ(points_of(), one + one.substr(0, one.size() - 2) + ", 1280 at once; ");
+  row["sets"].back()["latency"] = nullptr;  // a batch has no latency
+  EXPECT_EQ(points_of(), one.substr(0, one.size() - 2) + ", 1280 at once; ");
+}
+
 TEST(CostReport, ARegionTakesTheWorstErrorOfItsBandsAndTheMeanOfTheirTimes) {
   Json all = cost();
   all["bands"] = Json::parse(R"json([{"axis": "theta", "band": "tiny", "high": 1e-05, "low": 1e-12},
