@@ -105,6 +105,11 @@ Description described(const std::string& line) {
   return d;
 }
 
+/// A call crashed in a process of the adapter's own, which answers the next one.
+struct Crashed : AdapterFailed {
+  using AdapterFailed::AdapterFailed;
+};
+
 /// An adapter in a process, which is started again after it failed.
 class Process : public Adapter {
  public:
@@ -117,6 +122,9 @@ class Process : public Adapter {
   } catch (const TimedOut&) {  // so that a campaign does not wait long for each of many endless loops
     if (!b.of_many) timeout_s_ = std::max(timeout_s_ / 2, std::min(timeout_s_, 0.5));
     end(b, "the adapter gave no answer in time");
+    throw;
+  } catch (const Crashed& e) {  // the adapter goes on
+    if (!b.of_many) say_failed(description_.name, b.operation.operation, e.what(), child_->errors());
     throw;
   } catch (const AdapterFailed& e) {
     end(b, e.what());
@@ -200,6 +208,7 @@ class ProtocolProcess final : public Process {
     child.write(head.data(), head.size());
     child.write(b.inputs.data(), b.inputs.size());
     const std::string due = fmt::format("the line 'done {}'", b.n), answer = child.line(due);
+    if (answer.starts_with("crashed ")) throw Crashed("the call crashed: " + answer.substr(8));
     const std::string expected = fmt::format("done {}", b.n);
     if (!answer.starts_with(expected) || (answer.size() > expected.size() && answer[expected.size()] != ' '))
       Child::fail(fmt::format("wrote {} where {} is due{}", quoted(answer), due,

@@ -36,7 +36,8 @@ def main():
         if words[:1] == ["serve"]:
             if len(words) != 2:
                 raise Wrong("liecheck serve: one name is due, such as mylib:MyLib")
-            return loaded(words[1]).serve()
+            from liecheck.protocol import supervised
+            return supervised(lambda state: loaded(words[1]).serve(state))
         words = [program.path(), *translated(words)]
         try:
             os.execv(words[0], words)

@@ -234,10 +234,8 @@ class Adapter:
         return {operation: Bound(f"{self.who}.Model.{name}", function, *shapes[operation], False).served()
                 for operation, (name, function, _) in found.items()}
 
-    def serve(self):
-        for bound in self.bound.values():
-            bound.probe()
-        try:
-            protocol.answer(self.description(), {o: b.served() for o, b in self.bound.items()}, self.open_model)
-        except Exception as error:
-            raise Wrong(f"{self.who}: {in_words(error)}") from None
+    def serve(self, state):
+        if state[0] == protocol.STARTING:
+            for bound in self.bound.values():
+                bound.probe()
+        protocol.answer(self.description(), {o: b.served() for o, b in self.bound.items()}, self.open_model, state)

@@ -1,4 +1,5 @@
 """The program liecheck that this package starts."""
+import ctypes
 import os
 import pathlib
 import platform
@@ -22,6 +23,14 @@ def path():
 
 def not_for_this_machine(error):
     return Wrong(f"liecheck: {path()} is no program for this machine, {platform.system()} {platform.machine()}: {error.strerror}")
+
+
+LIBC = ctypes.CDLL(None)
+
+
+def ends_with_its_parent(signal):
+    """This process gets the signal when its parent ends."""
+    LIBC.prctl(1, signal)  # PR_SET_PDEATHSIG
 
 
 def serving(target):

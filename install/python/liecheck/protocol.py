@@ -1,12 +1,18 @@
 """The process protocol of docs/adapters.md: answers calls on standard input until it ends."""
 import json
+import mmap
 import os
+import signal
 import sys
 import time
 from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
 
+from liecheck.errors import Wrong, in_words
+from liecheck.program import ends_with_its_parent
+
+STARTING, WAITING, CALLING = 0, 1, 2  # what a worker does
 REFUSALS = ArithmeticError, ValueError, NotImplementedError, AssertionError, np.linalg.LinAlgError
 TYPES = {"float": np.dtype("<f4"), "double": np.dtype("<f8")}
 
@@ -14,7 +20,7 @@ TYPES = {"float": np.dtype("<f4"), "double": np.dtype("<f8")}
 class Function(NamedTuple):
     """An operation on flat arrays: one takes the numbers of an input to those of its result, many takes many inputs, one in
     each row. prepared makes of an input, or of many, a function and its arguments, in the library's own types, which is
-    timed. One of REFUSALS refuses the input; any other exception ends the process."""
+    timed. One of REFUSALS refuses the input; any other exception is a crash."""
     arguments: int
     results: int
     one: Callable
@@ -64,35 +70,62 @@ def timed(function, how, inputs, passes):
     return time.thread_time_ns() - start
 
 
-def answer(description: dict, functions: dict, open_model: Optional[Callable[[Any], dict]] = None):
-    """functions: operation -> Function; open_model: those of the operations on a model, which one of REFUSALS or a KeyError refuses."""
-    calls, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+def answer(description: dict, functions: dict, open_model: Optional[Callable[[Any], dict]] = None, state=bytearray(1)):
+    """functions: operation -> Function; open_model: those of the operations on a model, which one of REFUSALS or a KeyError
+    refuses. state: of supervised()."""
+    calls, answers = os.fdopen(0, "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what the library prints must not come between the answers
     sys.stdout = sys.stderr
-    calls.readline()  # "liecheck 1"
 
     def say(line, *data):
         answers.write(b"".join([line.encode(), b"\n", *data]))
         answers.flush()
 
-    say(json.dumps({"protocol": 1, **description}))
-    of_model = {}
+    if state[0] == STARTING:
+        calls.readline()  # "liecheck 1"
+        say(json.dumps({"protocol": 1, **description}))
+    state[0], of_model = WAITING, {}
     for line in iter(calls.readline, b""):
+        state[0] = CALLING
         if line.startswith(b"model "):
             try:
-                of_model = open_model(json.loads(line[6:]))
-                say("done")
+                of_model, said = open_model(json.loads(line[6:])), ["done"]
             except (*REFUSALS, KeyError) as error:
-                say("refused " + reason(error))
-            continue
-        words = line.decode().split()  # "call exp3_matrix double 128", or "time one exp3_matrix double 256 10"
-        how, passes = (words.pop(1), int(words.pop())) if words[0] == "time" else ("", 0)
-        _, operation, scalar, n = words
-        function, kind = functions.get(operation) or of_model[operation], TYPES[scalar]
-        data = bytearray(calls.read(int(n) * function.arguments * kind.itemsize))
-        inputs = np.frombuffer(data, kind).reshape(int(n), function.arguments)
-        if how:
-            say(f"timed {timed(function, how, inputs, passes)}")
+                said = ["refused " + reason(error)]
         else:
-            results, status, why = call(function, inputs)
-            say(f"done {n}{why}", status, results.tobytes())
+            said = answer_to(line.decode().split(), {**functions, **of_model}, calls)
+        state[0] = WAITING
+        say(*said)
+
+
+def answer_to(words, functions, calls):
+    """Words such as "call exp3_matrix double 128" or "time one exp3_matrix double 256 10", whose inputs come from `calls`."""
+    how, passes = (words.pop(1), int(words.pop())) if words[0] == "time" else ("", 0)
+    function, kind, n = functions[words[1]], TYPES[words[2]], int(words[3])
+    data = bytearray(calls.read(n * function.arguments * kind.itemsize))
+    inputs = np.frombuffer(data, kind).reshape(n, function.arguments)
+    try:
+        if how:
+            return [f"timed {timed(function, how, inputs, passes)}"]
+        results, status, why = call(function, inputs)
+        return [f"done {n}{why}", status, results.tobytes()]
+    except Wrong as wrong:
+        return [f"crashed {wrong}"]
+    except (Exception, SystemExit) as error:
+        return ["crashed " + in_words(error)]
+
+
+def supervised(serve):
+    """Calls serve(state), which answers, in a process of its own, and again if a call ends it, so that this costs no new
+    start of Python. Returns the exit code."""
+    state = mmap.mmap(-1, 1)
+    while True:
+        worker = os.fork()
+        if worker == 0:
+            ends_with_its_parent(signal.SIGKILL)
+            return serve(state) or 0
+        code = os.waitstatus_to_exitcode(os.waitpid(worker, 0)[1])
+        if state[0] != CALLING:
+            return code if code >= 0 else 128 - code
+        ending = f"signal {-code} ({signal.strsignal(-code)})" if code < 0 else f"exit code {code}"
+        os.write(1, f"crashed the call ended the process by {ending}\n".encode())

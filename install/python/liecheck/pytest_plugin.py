@@ -1,5 +1,4 @@
 """pytest's part: a subject becomes one test for each law and scalar, which the program liecheck runs."""
-import ctypes
 import functools
 import json
 import os
@@ -27,11 +26,11 @@ def pytest_addoption(parser):
 def started(words):
     """Runs the program, which ends with this process, and returns its exit code and what it says. Its adapter finds the
     modules that pytest finds."""
-    libc, environment = ctypes.CDLL(None), {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     try:
         process = subprocess.Popen([program.path(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True, errors="replace", env=environment,
-                                   preexec_fn=lambda: libc.prctl(1, signal.SIGTERM))  # PR_SET_PDEATHSIG
+                                   preexec_fn=lambda: program.ends_with_its_parent(signal.SIGTERM))
     except OSError as error:
         raise program.not_for_this_machine(error) from None
     try:
