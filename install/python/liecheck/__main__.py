@@ -14,7 +14,8 @@ def command_of(target):
     with subprocess.Popen(["/bin/sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as p:
         errors = p.communicate(b"liecheck 1\n")[1].decode(errors="replace").strip()
     if p.returncode:
-        raise Wrong(errors.splitlines()[-1] if errors else f"liecheck: {target}: its process ends with {p.returncode}")
+        last = errors.splitlines()[-1] if errors else f"{target}: its process ends with exit code {p.returncode}"
+        raise Wrong(last[len("liecheck: "):] if last.startswith("liecheck: ") else last)
     return command
 
 
@@ -35,7 +36,7 @@ def main():
     try:
         if words[:1] == ["serve"]:
             if len(words) != 2:
-                raise Wrong("liecheck serve: one name is due, such as mylib:MyLib")
+                raise Wrong("serve: one name is due, such as mylib:MyLib")
             from liecheck.protocol import supervised
             return supervised(lambda state: loaded(words[1]).serve(state))
         words = [program.path(), *translated(words)]
@@ -44,7 +45,7 @@ def main():
         except OSError as error:
             raise program.not_for_this_machine(error) from None
     except Wrong as wrong:
-        print(wrong, file=sys.stderr)
+        print(f"liecheck: {wrong}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         return 130

@@ -99,7 +99,11 @@ class Bound:
 
     def served(self):
         return protocol.Function(self.size, self.result.size if self.result else 0, self, self if self.batch else None,
-                                 lambda x: (self.function, split(self.arguments, x)))
+                                 lambda x: (self.function, self.split(x)))
+
+    def split(self, x):
+        """The arguments of the function for one input, or for one in each row."""
+        return split(self.arguments, x[None] if self.batch and x.ndim == 1 else x)
 
     def probe(self):
         """Calls it once, so that a wrong shape is said before a campaign begins."""
@@ -224,8 +228,7 @@ class Adapter:
     def call(self, operation, x):
         """What the function of an operation gives for these numbers."""
         bound = self.bound[operation]
-        x = np.array(x, float)
-        return bound.function(*split(bound.arguments, x[None] if bound.batch else x))
+        return bound.function(*bound.split(np.array(x, float)))
 
     def open_model(self, model):
         model = arrays(model)
@@ -235,7 +238,13 @@ class Adapter:
                 for operation, (name, function, _) in found.items()}
 
     def serve(self, state):
+        """Probes the functions, and answers. A crash of the probe is found again by a call."""
         if state[0] == protocol.STARTING:
-            for bound in self.bound.values():
-                bound.probe()
+            state[0] = protocol.PROBING
+            try:
+                for bound in self.bound.values():
+                    bound.probe()
+            except Wrong:
+                state[0] = protocol.STARTING
+                raise
         protocol.answer(self.description(), {o: b.served() for o, b in self.bound.items()}, self.open_model, state)

@@ -16,13 +16,13 @@ def path():
     named = os.environ.get("LIECHECK_PROGRAM")
     found = named or (str(BUNDLED) if BUNDLED.exists() else shutil.which("liecheck"))
     if not found or not shutil.which(found):
-        raise Wrong(f"liecheck: there is no program {named or 'liecheck'}: install the wheel of this machine, or set "
+        raise Wrong(f"there is no program {named or 'liecheck'}: install the wheel of this machine, or set "
                     "LIECHECK_PROGRAM to its path")
     return found
 
 
 def not_for_this_machine(error):
-    return Wrong(f"liecheck: {path()} is no program for this machine, {platform.system()} {platform.machine()}: {error.strerror}")
+    return Wrong(f"{path()} is no program for this machine, {platform.system()} {platform.machine()}: {error.strerror}")
 
 
 LIBC = ctypes.CDLL(None)

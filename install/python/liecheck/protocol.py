@@ -12,7 +12,7 @@ import numpy as np
 from liecheck.errors import Wrong, in_words
 from liecheck.program import ends_with_its_parent
 
-STARTING, WAITING, CALLING = 0, 1, 2  # what a worker does
+STARTING, PROBING, WAITING, CALLING = range(4)  # what a worker does
 REFUSALS = ArithmeticError, ValueError, NotImplementedError, AssertionError, np.linalg.LinAlgError
 TYPES = {"float": np.dtype("<f4"), "double": np.dtype("<f8")}
 
@@ -81,7 +81,7 @@ def answer(description: dict, functions: dict, open_model: Optional[Callable[[An
         answers.write(b"".join([line.encode(), b"\n", *data]))
         answers.flush()
 
-    if state[0] == STARTING:
+    if state[0] <= PROBING:
         calls.readline()  # "liecheck 1"
         say(json.dumps({"protocol": 1, **description}))
     state[0], of_model = WAITING, {}
@@ -125,7 +125,8 @@ def supervised(serve):
             ends_with_its_parent(signal.SIGKILL)
             return serve(state) or 0
         code = os.waitstatus_to_exitcode(os.waitpid(worker, 0)[1])
-        if state[0] != CALLING:
+        if state[0] == CALLING:
+            ending = f"signal {-code} ({signal.strsignal(-code)})" if code < 0 else f"exit code {code}"
+            os.write(1, f"crashed the call ended the process by {ending}\n".encode())
+        elif state[0] != PROBING:
             return code if code >= 0 else 128 - code
-        ending = f"signal {-code} ({signal.strsignal(-code)})" if code < 0 else f"exit code {code}"
-        os.write(1, f"crashed the call ended the process by {ending}\n".encode())

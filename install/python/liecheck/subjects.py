@@ -53,7 +53,7 @@ def module_of_file(text):
     """Imports a file as pytest does: its folder, or that above its package, is where other modules are found."""
     path = pathlib.Path(text).resolve()
     if not path.is_file():
-        raise Wrong(f"liecheck: there is no file {text}")
+        raise Wrong(f"there is no file {text}")
     name, root = path.stem, path.parent
     while (root / "__init__.py").exists():
         name, root = f"{root.name}.{name}", root.parent
@@ -71,17 +71,14 @@ def loaded(target):
     try:
         owner = module_of_file(place) if place.endswith(".py") else importlib.import_module(place)
     except ModuleNotFoundError as error:
-        if error.name and (place + ".").startswith(error.name + ".") :
-            raise Wrong(f"liecheck: there is no module {error.name!r} in {os.getcwd()} or on Python's path") from None
-        raise Wrong(f"liecheck: {place} cannot be imported: {in_words(error)}") from None
+        if error.name and (place + ".").startswith(error.name + "."):
+            raise Wrong(f"there is no module {error.name!r} in {os.getcwd()} or on Python's path") from None
+        raise Wrong(f"{place} cannot be imported: {in_words(error)}") from None
     except Exception as error:
-        raise Wrong(f"liecheck: {place} cannot be imported: {in_words(error)}") from None
+        raise Wrong(f"{place} cannot be imported: {in_words(error)}") from None
     for name in attribute.split(".") if attribute else []:
         if not hasattr(owner, name):
-            raise Wrong(f"liecheck: {place} has no {attribute!r}{near(name, dir(owner))}")
+            raise Wrong(f"{place} has no {attribute!r}{near(name, dir(owner))}")
         owner = getattr(owner, name)
     made = getattr(owner, "liecheck_subject", None)
-    try:
-        return Adapter(made.library if isinstance(made, Subject) else owner, target)
-    except Wrong as wrong:
-        raise Wrong(f"liecheck: {wrong}") from None
+    return Adapter(made.library if isinstance(made, Subject) else owner, target)
