@@ -1,6 +1,6 @@
 # Runs `liecheck adapter check`, and compares what the adapter offers with its row of the table in docs/adapters.md.
-execute_process(COMMAND ${LIECHECK} adapter check ${ADAPTER} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
-message("${text}")
+execute_process(COMMAND ${LIECHECK} adapter check ${ADAPTER} OUTPUT_VARIABLE text ERROR_VARIABLE errors RESULT_VARIABLE result)
+message("${errors}${text}")
 if(NOT WRONG STREQUAL "")  # the one function that the library has wrong for all inputs
   if(NOT text MATCHES "\n${WRONG} +[a-z]+ +is wrong\n" OR NOT text MATCHES "\n1 of [0-9]+ functions are wrong")
     message(FATAL_ERROR "not only ${WRONG} is wrong")

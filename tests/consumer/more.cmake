@@ -1,5 +1,5 @@
 # What else a project can use of an installed liecheck.
-find_package(liecheck 0.4 REQUIRED COMPONENTS laws)
+find_package(liecheck 0.5 REQUIRED COMPONENTS laws)
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 add_executable(uses_lib uses_lib.cpp)

@@ -67,7 +67,7 @@ S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
       [](const Vector4<S>& a, const Vector4<S>& b) __attribute__((always_inline)) {
         const S w = a.dot(b), s = relative_rotation_detail::multipleToSubtract<S, 4>(a, b, w);
         const Vector3<S> v = (SO3<S>(a).inverse() * SO3<S>(Vector4<S>(b - s * a))).vec();
-        return S(S(2) * S(atan2(relative_rotation_detail::scaledLength<S, 3>(v), absolute<S>(w))));
+        return S(S(2) * S(atan2(relative_rotation_detail::length<S, 3>(v), absolute<S>(w))));
       },
       Q0.to_vector(), Q1.to_vector());
 }
@@ -82,7 +82,7 @@ S twistAngle(const SO3<S>& Q, const Vector3<S>& axis) {
   return unit_vector_detail::atUnitScale(
       [](const Vector4<S>& q, const Vector3<S>& a) __attribute__((always_inline)) {
         const S s = dot<S>(Vector3<S>(q[0], q[1], q[2]), a),
-                w = q[3] * relative_rotation_detail::scaledLength<S, 3>(a);
+                w = q[3] * relative_rotation_detail::length<S, 3>(a);
         return w < S(0) ? S(S(2) * S(atan2(S(-s), S(-w)))) : S(S(2) * S(atan2(s, w)));
       },
       Q.to_vector(), axis);
@@ -113,8 +113,7 @@ SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
   const bool acute = S(0) < dot<S>(from, to);
   const Vector3<S> c = acute ? cross<S>(from, minus) : cross<S>(from, plus),
                    n = perpendicularPart<S>(c, from);
-  return SO3<S>(Vector3<S>((scaledLength<S, 3>(minus) / S(2)) * n), S(scaledLength<S, 3>(plus) / S(2)))
-      .normalized();
+  return SO3<S>(Vector3<S>((length<S, 3>(minus) / S(2)) * n), S(length<S, 3>(plus) / S(2))).normalized();
 }
 
 /// The angle [rad] between two directions a and b [3], not zero, in [0, pi]: atan2(|a x b|, a . b). a x b is a x (b - a), or
