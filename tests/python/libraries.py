@@ -1,4 +1,5 @@
-"""Libraries that the tests of the Python package serve: a correct one in every form, and ones that are wrong."""
+"""Libraries that the tests of the Python package serve: a correct one in every form, and ones that are
+wrong."""
 import os
 import sys
 import time
@@ -12,12 +13,20 @@ sys.path.insert(0, os.environ.get("LIECHECK_TREES", "."))
 
 def product(P, Q):
     (x, y, z, w), (a, b, c, d) = np.moveaxis(P, -1, 0), np.moveaxis(Q, -1, 0)
-    return np.stack([w * a + x * d + y * c - z * b, w * b - x * c + y * d + z * a, w * c + x * b - y * a + z * d,
-                     w * d - x * a - y * b - z * c], axis=-1)
+    return np.stack(
+        [
+            w * a + x * d + y * c - z * b,
+            w * b - x * c + y * d + z * a,
+            w * c + x * b - y * a + z * d,
+            w * d - x * a - y * b - z * c,
+        ],
+        axis=-1,
+    )
 
 
 class Forms:
     """Batches, both scalars, poses as matrices and as pairs."""
+
     name, version, scalars = "forms", "2.1", ["float32", "float64"]
 
     @liecheck.operation("quaternion_product", batch=True)
@@ -42,6 +51,7 @@ class Forms:
 
 class Fault(Forms):
     """A quaternion product whose last number has a wrong sign."""
+
     scalars = "float64"
 
     def many(self, Q0, Q1):
@@ -105,7 +115,12 @@ def trees():
     from tree import Tree
 
     class Model(Tree):
-        tree_rnea, tree_crba, tree_aba, tree_kinetic_energy = Tree.rnea, Tree.crba, Tree.aba, Tree.kinetic_energy
+        tree_rnea, tree_crba, tree_aba, tree_kinetic_energy = (
+            Tree.rnea,
+            Tree.crba,
+            Tree.aba,
+            Tree.kinetic_energy,
+        )
 
         def frame_pose(self, q, frame):
             return super().frame_pose(q, np.hstack(frame))

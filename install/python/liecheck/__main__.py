@@ -11,11 +11,15 @@ from liecheck.subjects import is_target, loaded
 def command_of(target):
     """The command that serves a target, which is served once, so that what is wrong with it is said here."""
     command = program.serving(target)
-    with subprocess.Popen(["/bin/sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as p:
+    with subprocess.Popen(
+        ["/bin/sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as p:
         errors = p.communicate(b"liecheck 1\n")[1].decode(errors="replace").strip()
     if p.returncode:
-        last = errors.splitlines()[-1] if errors else f"{target}: its process ends with exit code {p.returncode}"
-        raise Wrong(last[len("liecheck: "):] if last.startswith("liecheck: ") else last)
+        last = (
+            errors.splitlines()[-1] if errors else f"{target}: its process ends with exit code {p.returncode}"
+        )
+        raise Wrong(last[len("liecheck: ") :] if last.startswith("liecheck: ") else last)
     return command
 
 
@@ -24,7 +28,7 @@ def translated(words):
     words = list(words)
     for i in range(1, len(words)):
         flag, equals, value = words[i].partition("=")
-        if words[i - 1] in ("test", "--adapter") or words[i - 2:i] == ["adapter", "check"]:
+        if words[i - 1] in ("test", "--adapter") or words[i - 2 : i] == ["adapter", "check"]:
             words[i] = command_of(words[i]) if is_target(words[i]) else words[i]
         elif flag == "--adapter" and equals and is_target(value):
             words[i] = f"--adapter={command_of(value)}"
@@ -38,6 +42,7 @@ def main():
             if len(words) != 2:
                 raise Wrong("serve: one name is due, such as mylib:MyLib")
             from liecheck.protocol import supervised
+
             return supervised(lambda state: loaded(words[1]).serve(state))
         words = [program.path(), *translated(words)]
         try:

@@ -2,11 +2,23 @@
 import math
 
 PARTS = {  # of the values that have several: name and shape of each
-    "pose": "R:3x3 p:3", "extended": "R:3x3 p:3 v:3", "tangent": "rho:3 phi:3", "tangent9": "rho:3 nu:3 phi:3",
-    "twist": "u:3 omega:3", "wrench": "f:3 n:3", "spatial": "linear:3 angular:3", "body": "mass:1 c:3 I_C:3x3",
-    "configuration": "p:3 Q:4", "planar": "p:2 r:2", "planar_tangent": "rho:2 omega:1", "axis_angle": "axis:3 angle:1",
-    "screw": "axis:3 pitch:1 point:3", "increment": "dR:3x3 dp:3 dv:3", "frame": "joint:1 Q:4 p:3",
-    "derivatives": "by_q:vxv by_v:vxv", "derivatives6": "by_q:6xv by_v:6xv",
+    "pose": "R:3x3 p:3",
+    "extended": "R:3x3 p:3 v:3",
+    "tangent": "rho:3 phi:3",
+    "tangent9": "rho:3 nu:3 phi:3",
+    "twist": "u:3 omega:3",
+    "wrench": "f:3 n:3",
+    "spatial": "linear:3 angular:3",
+    "body": "mass:1 c:3 I_C:3x3",
+    "configuration": "p:3 Q:4",
+    "planar": "p:2 r:2",
+    "planar_tangent": "rho:2 omega:1",
+    "axis_angle": "axis:3 angle:1",
+    "screw": "axis:3 pitch:1 point:3",
+    "increment": "dR:3x3 dp:3 dv:3",
+    "frame": "joint:1 Q:4 p:3",
+    "derivatives": "by_q:vxv by_v:vxv",
+    "derivatives6": "by_q:6xv by_v:6xv",
 }
 SIGNATURES = """
 phi:3 -> Q:4 = exp3_quaternion
@@ -142,13 +154,17 @@ class Value:
 
 
 def signatures(tree=None, quaternion_poses=False):
-    """operation -> (arguments, result or None). tree: (nq, nv), for the operations on a tree; quaternion_poses: a pose is
-    (p, Q)."""
+    """operation -> (arguments, result or None). tree: (nq, nv), for the operations on a tree;
+    quaternion_poses: a pose is (p, Q)."""
     sizes = {} if tree is None else {"q": tree[0], "v": tree[1]}
     found = {}
     for line in (SIGNATURES if tree is None else TREE_SIGNATURES).strip().splitlines():
-        values, operations = line.replace(":pose", ":configuration").split(" = ") if quaternion_poses else line.split(" = ")
-        arguments, result = ([Value(*v.split(":"), sizes) for v in side.split()] for side in values.split("->"))
+        values, operations = (
+            line.replace(":pose", ":configuration").split(" = ") if quaternion_poses else line.split(" = ")
+        )
+        arguments, result = (
+            [Value(*v.split(":"), sizes) for v in side.split()] for side in values.split("->")
+        )
         for operation in operations.split():
             found[operation] = arguments, result[0] if result else None
     return found

@@ -16,13 +16,17 @@ def path():
     named = os.environ.get("LIECHECK_PROGRAM")
     found = named or (str(BUNDLED) if BUNDLED.exists() else shutil.which("liecheck"))
     if not found or not shutil.which(found):
-        raise Wrong(f"there is no program {named or 'liecheck'}: install the wheel of this machine, or set "
-                    "LIECHECK_PROGRAM to its path")
+        raise Wrong(
+            f"there is no program {named or 'liecheck'}: install the wheel of this machine, or set "
+            "LIECHECK_PROGRAM to its path"
+        )
     return found
 
 
 def not_for_this_machine(error):
-    return Wrong(f"{path()} is no program for this machine, {platform.system()} {platform.machine()}: {error.strerror}")
+    return Wrong(
+        f"{path()} is no program for this machine, {platform.system()} {platform.machine()}: {error.strerror}"
+    )
 
 
 LIBC = ctypes.CDLL(None)
@@ -36,4 +40,5 @@ def ends_with_its_parent(signal):
 def serving(target):
     """The command that serves what a target names."""
     import shlex
+
     return f"exec {shlex.quote(sys.executable)} -m liecheck serve {shlex.quote(target)}"

@@ -18,9 +18,10 @@ TYPES = {"float": np.dtype("<f4"), "double": np.dtype("<f8")}
 
 
 class Function(NamedTuple):
-    """An operation on flat arrays: one takes the numbers of an input to those of its result, many takes many inputs, one in
-    each row. prepared makes of an input, or of many, a function and its arguments, in the library's own types, which is
-    timed. One of REFUSALS refuses the input; any other exception is a crash."""
+    """An operation on flat arrays: one takes the numbers of an input to those of its result, many takes many
+    inputs, one in each row. prepared makes of an input, or of many, a function and its arguments, in the
+    library's own types, which is timed. One of REFUSALS refuses the input; any other exception is a crash."""
+
     arguments: int
     results: int
     one: Callable
@@ -50,15 +51,17 @@ def call(function, inputs):
             pass
     for i in range(n):
         try:
-            rounded(function.many(inputs[i:i + 1])[0] if function.many else function.one(inputs[i]), results[i])
+            rounded(
+                function.many(inputs[i : i + 1])[0] if function.many else function.one(inputs[i]), results[i]
+            )
         except REFUSALS as error:
             status[i], why = 1, " " + reason(error)
     return results, status, why
 
 
 def timed(function, how, inputs, passes):
-    """The processor time [ns] of passes over all inputs: of one call each, of one call of all, or of a function that
-    returns its argument."""
+    """The processor time [ns] of passes over all inputs: of one call each, of one call of all, or of a
+    function that returns its argument."""
     prepared = function.prepared or (lambda x: (function.one, (x,)))
     if how == "nothing":
         prepared = lambda x: (lambda y: y, (x,))
@@ -70,9 +73,11 @@ def timed(function, how, inputs, passes):
     return time.thread_time_ns() - start
 
 
-def answer(description: dict, functions: dict, open_model: Optional[Callable[[Any], dict]] = None, state=bytearray(1)):
-    """functions: operation -> Function; open_model: those of the operations on a model, which one of REFUSALS or a KeyError
-    refuses. state: of supervised()."""
+def answer(
+    description: dict, functions: dict, open_model: Optional[Callable[[Any], dict]] = None, state=bytearray(1)
+):
+    """functions: operation -> Function; open_model: those of the operations on a model, which one of REFUSALS
+    or a KeyError refuses. state: of supervised()."""
     calls, answers = os.fdopen(0, "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what the library prints must not come between the answers
     sys.stdout = sys.stderr
@@ -99,7 +104,8 @@ def answer(description: dict, functions: dict, open_model: Optional[Callable[[An
 
 
 def answer_to(words, functions, calls):
-    """Words such as "call exp3_matrix double 128" or "time one exp3_matrix double 256 10", whose inputs come from `calls`."""
+    """Words such as "call exp3_matrix double 128" or "time one exp3_matrix double 256 10", whose inputs come
+    from `calls`."""
     how, passes = (words.pop(1), int(words.pop())) if words[0] == "time" else ("", 0)
     function, kind, n = functions[words[1]], TYPES[words[2]], int(words[3])
     data = bytearray(calls.read(n * function.arguments * kind.itemsize))
@@ -116,8 +122,8 @@ def answer_to(words, functions, calls):
 
 
 def supervised(serve):
-    """Calls serve(state), which answers, in a process of its own, and again if a call ends it, so that this costs no new
-    start of Python. Returns the exit code."""
+    """Calls serve(state), which answers, in a process of its own, and again if a call ends it, so that this
+    costs no new start of Python. Returns the exit code."""
     state = mmap.mmap(-1, 1)
     while True:
         worker = os.fork()

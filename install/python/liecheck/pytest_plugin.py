@@ -19,18 +19,29 @@ PASSES = 0  # exit code of the program
 
 def pytest_addoption(parser):
     group = parser.getgroup("liecheck")
-    group.addoption("--liecheck-seed", type=int, help="seed of each test of liecheck.subject, in place of its own")
-    group.addoption("--liecheck-cases", type=int, help="cases of each test of liecheck.subject, in place of its own")
+    group.addoption(
+        "--liecheck-seed", type=int, help="seed of each test of liecheck.subject, in place of its own"
+    )
+    group.addoption(
+        "--liecheck-cases", type=int, help="cases of each test of liecheck.subject, in place of its own"
+    )
 
 
 def started(words):
-    """Runs the program, which ends with this process, and returns its exit code and what it says. Its adapter finds the
-    modules that pytest finds."""
+    """Runs the program, which ends with this process, and returns its exit code and what it says. Its adapter
+    finds the modules that pytest finds."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     try:
-        process = subprocess.Popen([program.path(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True, errors="replace", env=environment,
-                                   preexec_fn=lambda: program.ends_with_its_parent(signal.SIGTERM))
+        process = subprocess.Popen(
+            [program.path(), *words],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            env=environment,
+            preexec_fn=lambda: program.ends_with_its_parent(signal.SIGTERM),
+        )
     except OSError as error:
         raise program.not_for_this_machine(error) from None
     try:
@@ -48,15 +59,21 @@ def started(words):
 @functools.lru_cache(maxsize=None)
 def laws_of(description, rules):
     """The laws of which an adapter with this description, a line of the protocol, offers an operation."""
-    code, said, errors = started(["list", "--laws", "--adapter", f"read hello; printf '%s\\n' {shlex.quote(description)}", *rules])
+    code, said, errors = started(
+        ["list", "--laws", "--adapter", f"read hello; printf '%s\\n' {shlex.quote(description)}", *rules]
+    )
     if code:
         raise Wrong(errors.strip())
     return said.split()
 
 
 def flags_of(subject):
-    return [word for flag in ("limits", "profile", "rules") if getattr(subject, flag) is not None
-            for word in ("--" + flag, str(getattr(subject, flag)))]
+    return [
+        word
+        for flag in ("limits", "profile", "rules")
+        if getattr(subject, flag) is not None
+        for word in ("--" + flag, str(getattr(subject, flag)))
+    ]
 
 
 def pytest_generate_tests(metafunc):
@@ -67,20 +84,31 @@ def pytest_generate_tests(metafunc):
         if metafunc.cls:
             raise Wrong("liecheck.subject stands at the top of a module, not in a class")
         from liecheck.adapter import Adapter
+
         description = Adapter(subject.library).description()
         rules = () if subject.rules is None else ("--rules", str(subject.rules))
         cases = []
         for scalar in ("double", "float"):
             offered = {o: [scalar] for o, scalars in description["operations"].items() if scalar in scalars}
             if offered:
-                cases += [(law, scalar) for law in laws_of(json.dumps({"protocol": 1, **description, "operations": offered}), rules)]
+                cases += [
+                    (law, scalar)
+                    for law in laws_of(
+                        json.dumps({"protocol": 1, **description, "operations": offered}), rules
+                    )
+                ]
     except Wrong as wrong:
         raise pytest.Collector.CollectError(f"{metafunc.definition.name}: {wrong}") from None
-    metafunc.parametrize("liecheck_law, liecheck_scalar", sorted(cases), ids=[f"{law}-{scalar}" for law, scalar in sorted(cases)])
+    metafunc.parametrize(
+        "liecheck_law, liecheck_scalar",
+        sorted(cases),
+        ids=[f"{law}-{scalar}" for law, scalar in sorted(cases)],
+    )
 
 
 def tested(words):
-    """Runs a campaign, and returns its exit code, what it says, and what it says of the failures that are expected."""
+    """Runs a campaign, and returns its exit code, what it says, and what it says of the failures that are
+    expected."""
     with tempfile.TemporaryDirectory() as folder:
         record = pathlib.Path(folder, "record.json")
         code, said, errors = started(["test", *words, "--jobs", "1", "--json", str(record)])
@@ -100,16 +128,24 @@ def text_of(expected):
 
 
 def run(request, subject, law, scalar):
-    """Fails with what the program prints. A failure that the file of limits expects is that of an xfail mark; if no law finds
-    it any more, the test has the mark and passes."""
-    option, target = request.config.option, f"{request.path}:{request.node.originalname}"
+    """Fails with what the program prints. A failure that the file of limits expects is that of an xfail mark;
+    if no law finds it any more, the test has the mark and passes."""
+    option, target = request.config.option, f"{request.module.__file__}:{request.node.originalname}"
     seed, cases = option.liecheck_seed, option.liecheck_cases
-    words = [program.serving(target), "--seed", str(subject.seed if seed is None else seed),
-             "--cases", str(subject.cases if cases is None else cases), *flags_of(subject)]
+    words = [
+        program.serving(target),
+        "--seed",
+        str(subject.seed if seed is None else seed),
+        "--cases",
+        str(subject.cases if cases is None else cases),
+        *flags_of(subject),
+    ]
     code, said, expected = tested([*words, "--property", law, "--scalar", scalar])
     if code != PASSES:
         pytest.fail(said, pytrace=False)
-    failed, passed = [text_of(e) for e in expected if e["failed"]], [text_of(e) for e in expected if e["passed"]]
+    failed, passed = [text_of(e) for e in expected if e["failed"]], [
+        text_of(e) for e in expected if e["passed"]
+    ]
     if passed and not failed:
         passed = [text for text in passed if text in passed_everywhere(tuple(words))]
     if failed or passed:

@@ -14,32 +14,45 @@ class Subject:
     """A library and how it is judged: what liecheck.subject() takes."""
 
     def __init__(self, library, limits, profile, cases, seed, rules):
-        self.library, self.limits, self.profile, self.cases, self.seed, self.rules = library, limits, profile, cases, seed, rules
+        self.library, self.limits, self.profile, self.cases, self.seed, self.rules = (
+            library,
+            limits,
+            profile,
+            cases,
+            seed,
+            rules,
+        )
 
 
 def subject(library, *, limits=None, profile=None, cases=2000, seed=42, rules=None):
-    """A test function for pytest, one test for each law and scalar of which the library, a class, an instance or a module,
-    offers an operation: `test_mylib = liecheck.subject(MyLib())`, at the top of a test file. limits: the file of limits, beside
-    the test file; profile and rules as the flags of `liecheck test`; cases and seed of each test, unless --liecheck-cases or
-    --liecheck-seed says others."""
+    """A test function for pytest, one test for each law and scalar of which the library, a class, an instance
+    or a module, offers an operation: `test_mylib = liecheck.subject(MyLib())`, at the top of a test file.
+    limits: the file of limits, beside the test file; profile and rules as the flags of `liecheck test`; cases
+    and seed of each test, unless --liecheck-cases or --liecheck-seed says others."""
     caller = sys._getframe(1)
 
     def test(request, liecheck_law, liecheck_scalar):
         from liecheck import pytest_plugin
+
         pytest_plugin.run(request, test.liecheck_subject, liecheck_law, liecheck_scalar)
 
     if limits is not None:
         limits = str(pathlib.Path(caller.f_code.co_filename).parent / limits)
     test.liecheck_subject = Subject(library, limits, profile, cases, seed, rules)
-    test.__code__ = test.__code__.replace(co_filename=caller.f_code.co_filename, co_firstlineno=caller.f_lineno)
+    test.__code__ = test.__code__.replace(
+        co_filename=caller.f_code.co_filename, co_firstlineno=caller.f_lineno
+    )
     return test
 
 
 def is_target(word):
     """Whether a word names Python: mylib:MyLib, mylib, adapter.py or adapter.py:MyLib."""
     module = re.fullmatch(r"([A-Za-z_]\w*(?:\.\w+)*)(:[\w.]+)?", word)
-    return bool(re.fullmatch(r"[^ ]+\.py(:[\w.]+)?", word) or module and (
-        module[2] or not shutil.which(word) and _found(word.split(".")[0])))
+    return bool(
+        re.fullmatch(r"[^ ]+\.py(:[\w.]+)?", word)
+        or module
+        and (module[2] or not shutil.which(word) and _found(word.split(".")[0]))
+    )
 
 
 def _found(module):
@@ -50,7 +63,8 @@ def _found(module):
 
 
 def module_of_file(text):
-    """Imports a file as pytest does: its folder, or that above its package, is where other modules are found."""
+    """Imports a file as pytest does: its folder, or that above its package, is where other modules are
+    found."""
     path = pathlib.Path(text).resolve()
     if not path.is_file():
         raise Wrong(f"there is no file {text}")
@@ -67,6 +81,7 @@ def module_of_file(text):
 def loaded(target):
     """The adapter of what a target names."""
     from liecheck.adapter import Adapter
+
     place, _, attribute = target.partition(":")
     try:
         owner = module_of_file(place) if place.endswith(".py") else importlib.import_module(place)
