@@ -91,6 +91,8 @@ void judge(json& defect, const Subject& subject, const std::string& where) {
   const std::string law = defect["law"], operation = defect["operation"];
   const auto series = series_on(subject, law);
   if (!series) refuse(fmt::format("there is no law '{}'", law));
+  if (std::ranges::find(series->outputs, operation, &properties::Output::operation) == series->outputs.end())
+    refuse(fmt::format("the law '{}' does not measure {}", law, operation));
   const HardCase input{where, 0, operation, defect["input"], "", "", "", {law}, {}};
   const CaseId id = raw_case(*series, input);
   const Trial trial = attempt(*series, id);
@@ -119,19 +121,22 @@ void judge(json& defect, const Subject& subject, const std::string& where) {
   defect["program"] = from == program.npos ? "" : program.substr(from + 2, program.size() - from - 3);
 }
 
-/// A subject whose only operation returns what the record says that a library returned.
-Subject recorded(const json& defect) {
+/// A subject whose only operation returns what the record says that a library returned. `where` is for messages.
+Subject recorded(const json& defect, const std::string& where) {
   Subject s{"recorded", "1", "", &scalar_of(defect)};
   const auto got = numbers_of_texts(defect["got"]);
   const Scalar& scalar = *s.scalar;
-  fill_slots(s.operations, [&, got](const Operation& o) {
+  fill_slots(s.operations, [&](const Operation& o) {
     NumberFunction f{&o, &scalar};
-    if (o.name == defect["operation"].get<std::string>())
-      f.compute = [got, &scalar](void*, void* to) {
-        scalar.with([&]<class S>() {
-          std::ranges::transform(got, static_cast<S*>(to), [](double x) { return static_cast<S>(x); });
-        });
-      };
+    if (o.name != defect["operation"].get<std::string>()) return f;
+    if (const auto size = count_numbers(o.results); got.size() != size)
+      throw std::invalid_argument(
+          fmt::format("{}: 'got' has {} numbers: expected {}", where, got.size(), size));
+    f.compute = [got, &scalar](void*, void* to) {
+      scalar.with([&]<class S>() {
+        std::ranges::transform(got, static_cast<S*>(to), [](double x) { return static_cast<S>(x); });
+      });
+    };
     return f;
   });
   return s;
@@ -226,11 +231,10 @@ FoundAgain found_again(const json& record, const Trust& trust, const std::string
       text += differs(library, now) + run_programs(now, *entry, folder);
     } else {
       for (json& defect : now["defects"]) {
+        const std::string where = place(trust.file, library, defect);
         if (!defect.contains("got"))
-          throw std::invalid_argument(place(trust.file, library, defect) +
-                                      ": is not measured, and the library " + why);
-        const Subject subject = recorded(defect);
-        judge(defect, subject, place(trust.file, library, defect));
+          throw std::invalid_argument(where + ": is not measured, and the library " + why);
+        judge(defect, recorded(defect, where), where);
       }
     }
     for (std::size_t i = 0; i < now["defects"].size(); ++i)

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <cctype>
 #include <league/found.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 #include <support/json.hpp>
 #include <support/markdown.hpp>
 #include <support/read_json.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties::league {
 
@@ -137,34 +141,40 @@ bool is_found(const std::string& file) {
 
 json read_found(const std::string& file) {
   json record = read_json(file);
-  const auto need = [&](const json& of, const std::string& where, std::initializer_list<const char*> names) {
-    for (const char* name : names)
-      if (!of.is_object() || !of.contains(name) || !of[name].is_string())
-        throw std::invalid_argument(fmt::format("{}: {} has no text '{}'", file, where, name));
+  const auto refuse = [&](const std::string& why) { throw std::invalid_argument(file + ": " + why); };
+  const auto texts = [&](const json& of, const std::string& where, std::initializer_list<const char*> needed,
+                         std::initializer_list<const char*> others) {
+    if (!of.is_object()) refuse(where + " is no object");
+    for (const auto& names : {needed, others})
+      for (const char* name : names)
+        if (of.contains(name) ? !of[name].is_string() : std::ranges::count(needed, std::string(name)) > 0)
+          refuse(fmt::format("{} has no text '{}'", where, name));
   };
   const auto list = [&](const json& of, const std::string& where, const char* name) {
-    if (!of.is_object() || !of.contains(name) || !of[name].is_array())
-      throw std::invalid_argument(fmt::format("{}: {} has no list '{}'", file, where, name));
+    if (!of.contains(name) || !of[name].is_array()) refuse(fmt::format("{} has no list '{}'", where, name));
   };
   if (!record.is_object() || record.value("found", json()) != 1)
-    throw std::invalid_argument(file + ": is no record of defects of version 1");
+    refuse("is no record of defects of version 1");
   list(record, "the record", "libraries");
+  std::set<std::string> adapters;
   for (const json& library : record["libraries"]) {
-    need(library, "a library", {"name", "adapter"});
-    const std::string name = library["name"];
+    texts(library, "a library", {"name", "adapter"}, {"version", "get", "run", "language", "note"});
+    const std::string name = printable(library["name"]);
+    if (!adapters.insert(library["adapter"]).second)
+      refuse(fmt::format("the adapter of {} is there twice", name));
     list(library, name, "defects");
     for (const json& d : library["defects"]) {
-      need(d, "a defect of " + name, {"function", "what", "operation", "scalar", "law", "input"});
+      texts(d, "a defect of " + name, {"function", "what", "operation", "scalar", "law", "input"},
+            {"block", "call", "lost", "shows", "program", "known"});
+      const std::string function = printable(d["function"]);
       if (d["scalar"] != "float" && d["scalar"] != "double")
-        throw std::invalid_argument(
-            fmt::format("{}: {} has the scalar {}", file, dumped(d["function"]), dumped(d["scalar"])));
+        refuse(fmt::format("{} has the scalar {}: expected float or double", function, dumped(d["scalar"])));
       if (!d.contains("got")) continue;  // not measured yet
       for (const char* numbers : {"got", "right"}) {
-        list(d, d["function"], numbers);
+        list(d, function, numbers);
         for (const json& x : d[numbers])
           if (!x.is_string())
-            throw std::invalid_argument(fmt::format("{}: {} has a number in '{}' that is no text", file,
-                                                    dumped(d["function"]), numbers));
+            refuse(fmt::format("{} has a number in '{}' that is no text", function, numbers));
       }
     }
   }

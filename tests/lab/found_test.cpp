@@ -95,12 +95,15 @@ TEST_F(FoundDefects, AreRefusedWhereTheyAreNone) {
     EXPECT_NE(r.text.find(why), r.text.npos) << r.text;
   };
   refused("got", first["right"], where + first["operation"].get<std::string>() + " is within its limit");
+  refused("got", {"1", "2"}, where + "'got' has 2 numbers: expected 1");
+  refused("law", "exp_oracle", where + "the law 'exp_oracle' does not measure");
   refused("law", "no_law", where + "there is no law 'no_law'");
   refused("input", "a = 1, 0", "changed.json");
   refused("got", 1, "has no list 'got'");
   refused("got", {1}, "has a number in 'got' that is no text");
   refused("function", 1, "has no text 'function'");
-  refused("scalar", "half", "changed.json");
+  refused("scalar", "half", "has the scalar \"half\"");
+  refused("block", 1, "has no text 'block'");
 }
 
 }  // namespace
