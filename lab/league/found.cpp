@@ -37,10 +37,10 @@ const Scalar& scalar_of(const json& defect) {
   return defect["scalar"] == "float" ? oracles::scalar_of<float> : oracles::scalar_of<double>;
 }
 
-/// "found.json, three, relative_angle"
+/// "found.json, three, Quaternion.angleTo"
 std::string place(const std::string& file, const json& library, const json& defect) {
   return fmt::format("{}, {}, {}", file, library["adapter"].get<std::string>(),
-                     defect["operation"].get<std::string>());
+                     printable(defect["function"]));
 }
 
 std::unique_ptr<Series> series_on(const Subject& subject, const std::string& law) {
@@ -175,8 +175,9 @@ std::string run_programs(const json& library, const Entry& entry, const std::str
   std::string text;
   for (const json& d : library["defects"]) {
     if (stop_requested) break;
-    const std::string name = fmt::format("{}_{}{}", file_name(library["adapter"]),
-                                         d["operation"].get<std::string>(), suffix(library["language"]));
+    const std::string name = file_name(fmt::format("{}_{}", library["adapter"].get<std::string>(),
+                                                   d["function"].get<std::string>())) +
+                             suffix(library["language"]);
     const Output out = run_program(entry.run, file_in(folder, name), d["program"]);
     if (out.code != 0 || !confirms(out.text, numbers_of_texts(d["got"]), d["scalar"] == "float"))
       text += fmt::format("    {}: its program {}\n", d["function"].get<std::string>(),

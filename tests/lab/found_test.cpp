@@ -88,7 +88,7 @@ TEST_F(FoundDefects, DifferWhereANumberOfTheirRecordIsChanged) {
 TEST_F(FoundDefects, AreRefusedWhereTheyAreNone) {
   const json& first = whole["libraries"][0]["defects"][0];
   const std::string where = dir + "changed.json, " + whole["libraries"][0]["adapter"].get<std::string>() +
-                            ", " + first["operation"].get<std::string>() + ": ";
+                            ", " + first["function"].get<std::string>() + ": ";
   const auto refused = [&](const std::string& member, const json& value, const std::string& why) {
     const Run r = changed(member, value);
     EXPECT_EQ(r.code, 2) << r.text;
