@@ -114,9 +114,9 @@ std::string found_page(const json& record) {
 
 These are {} defects in {} releases that Debian 12 and npm distribute. Each is a cause in a function of a library: for
 inputs that its documentation allows, it gives a wrong result, or one with fewer digits than its scalar and the condition
-of the problem allow. What a library documents is left out, and so are losses that a maintainer may have chosen for speed,
-such as linear interpolation in place of `slerp`. From here, none of them has been reported; {} have been by others, as far
-as we know, and their details say where.
+of the problem allow. What a library documents is left out, and so are losses that a maintainer may have chosen, such as
+linear interpolation in place of `slerp`, or a threshold of about 1e-6 rad where directions are opposite. From here, none of
+them has been reported; others have reported {}, as far as we know, and their details say where.
 
 *Digits lost* is log10 of the error in eps of the scalar, as [measured](measuring.md), for the input of one program, out of
 15.7 digits in double and 6.9 in float; other inputs lose more or fewer. The program is below, folded, as a user of the
