@@ -240,14 +240,12 @@ Command league_measure_command(CLI::App& league) {
 Command league_findings_command(CLI::App& league) {
   CommandWith<Flags> a(
       league, "findings",
-      "run the program of each failing cell of a record, and write a Markdown file for each defect "
-      "that its output confirms. Exit code 0; 1 if a defect of fixtures/league/found.json is another one "
-      "now; 2 for "
+      "run the program of each failing cell of a record, and write a Markdown file for each defect that its "
+      "output confirms. Exit code 0; 1 if a defect of fixtures/league/found.json is another one now; 2 for "
       "bad input; 3 if stopped");
   a.text("RECORD", a->record, "FILE",
          "the record that league --record wrote; or fixtures/league/found.json, to measure its defects again "
-         "and write "
-         "their page, found.md")
+         "and write their page, found.md")
       .required();
   a.text("--out", a->out, "DIR", "folder of the findings").required();
   a.text("--adapters", a->adapters, "FILE.json",
