@@ -114,17 +114,26 @@ std::string hard_of(const std::vector<HardCase>& cases, const Told& told, bool f
 
 /// The operations that fail and that no finding names, of each library.
 std::string further_operations(const Looks& looks, const std::vector<Told>& told) {
-  std::map<std::string, std::vector<std::string>> further;
+  std::set<std::pair<std::string, std::string>> ordinary;  // those that fail for ordinary inputs
+  for (const Json& row : looks.merged.results)
+    if (row["status"] == "fail" && is_ordinary(row)) ordinary.emplace(row["subject"], row["operation"]);
+  std::map<std::string, std::array<Cells, 2>> further;  // by library, the second at extreme angles alone
   for (const auto& [subject, operation] : looks.wrong)
     if (std::ranges::none_of(told, [&, &s = subject, &o = operation](const Told& t) {
           return t.subject() == s && (t.operation() == o || std::ranges::count(t.others, o));
         }))
-      further[subject].push_back(linked(operation));
+      further[subject][!ordinary.contains({subject, operation})].push_back(linked(operation));
   std::string out;
-  for (const auto& [subject, operations] : further)
-    out += fmt::format("<p>{}<b>{}</b> fails in {} further operation{}: {}.</p>\n",
-                       swatch(looks.of.at(subject)), escaped(subject), operations.size(),
-                       operations.size() == 1 ? "" : "s", fmt::join(operations, ", "));
+  for (const auto& [subject, operations] : further) {
+    Cells parts;
+    for (const bool extreme : {false, true})
+      if (const Cells& own = operations[extreme]; !own.empty())
+        parts.push_back(fmt::format("{}{} further operation{}: {}",
+                                    extreme ? "at extreme angles alone in " : "in ", own.size(),
+                                    own.size() == 1 ? "" : "s", fmt::join(own, ", ")));
+    out += fmt::format("<p>{}<b>{}</b> fails {}.</p>\n", swatch(looks.of.at(subject)), escaped(subject),
+                       fmt::join(parts, "; "));
+  }
   return out;
 }
 

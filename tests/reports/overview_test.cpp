@@ -145,10 +145,12 @@ TEST(Findings, CountTheHardCasesOfTheirOperationApart) {
 TEST(Findings, EndWithTheOperationsThatNoneOfThemNames) {
   const Json all =
       Json::array({finding("1  exp6 (translation): bad\n   so       log6 fails in the same way\n")});
-  const std::string text = findings_section(
-      Looks(merged({ordinary(9), ordinary(9, "log6"), ordinary(9, "compose"), ordinary(1, "inverse")},
-                   {{"findings", all}})));
-  EXPECT_TRUE(has(text, "<b>mine</b> fails in 1 further operation: <a href=\"#op-compose\">compose</a>."))
+  const std::string text = findings_section(Looks(merged(
+      {ordinary(9), ordinary(9, "log6"), ordinary(9, "compose"), ordinary(1, "inverse"), extreme(9, "slerp")},
+      {{"findings", all}})));
+  EXPECT_TRUE(has(text,
+                  "<b>mine</b> fails in 1 further operation: <a href=\"#op-compose\">compose</a>; at extreme "
+                  "angles alone in 1 further operation: "))
       << text;
   EXPECT_TRUE(has(digits_table(Looks(merged({ordinary(9, "compose")}))), "<tr id=\"op-compose\""));
 }
