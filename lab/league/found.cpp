@@ -161,11 +161,10 @@ std::string readers_command(const std::string& run, const std::string& file) {
   for (std::string word; in >> word;) {
     const fs::path path = word;
     if (path.extension() == ".so") word = "-l" + path.stem().string().substr(3);
-    if (path.parent_path() == "/usr/bin") word = path.filename();
     words.push_back(word);
     const std::size_t n = words.size();
     if (n > 3 && word == words[n - 3] && words[n - 2] == "-isystem") words.resize(n - 2);  // given twice
-    if (word == "./a.out" && words[n - 2] == "-o") words.resize(n - 2);  // where it is anyway
+    if (n > 1 && word == "./a.out" && words[n - 2] == "-o") words.resize(n - 2);  // where it is anyway
   }
   return fmt::format("{}", fmt::join(words, " "));
 }

@@ -4,6 +4,7 @@
 #include <adapters/subjects.hpp>
 #include <adapters/trees.hpp>
 #include <campaign/series.hpp>
+#include <cmath>
 #include <conventions/stated.hpp>
 #include <conventions/values.hpp>
 #include <failures/drawn_tree.hpp>
@@ -17,6 +18,11 @@
 namespace liecheck::properties {
 
 namespace {
+
+/// A decimal that reads back as the same number also in a program, where -0 would be an integer.
+std::string literal(double x, const Scalar& scalar) {
+  return x == 0 && std::signbit(x) ? "-0.0" : decimal_float(x, scalar);
+}
 
 /// The argument's numbers in decimals that read back as the same numbers, and in hexadecimal.
 struct Argument {
@@ -33,7 +39,7 @@ std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Descri
     const Layout l = conventions::has_quaternion_poses(d.conventions) ? with_quaternion(*own) : *own;
     std::vector<std::string> decimal, hexadecimal;
     for (const double x : left.first(conventions::size_of(l)))
-      decimal.push_back(decimal_float(x, scalar)), hexadecimal.push_back(hexadecimal_float(x));
+      decimal.push_back(literal(x, scalar)), hexadecimal.push_back(hexadecimal_float(x));
     left = left.subspan(conventions::size_of(l));
     all.push_back({std::string(l.name), fmt::format("{}", fmt::join(decimal, ", ")),
                    fmt::format("{}", fmt::join(hexadecimal, ", "))});
