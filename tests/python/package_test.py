@@ -222,9 +222,9 @@ class Pytest(unittest.TestCase):
         (PROJECT / "test_other.py").write_text(
             "import liecheck\nfrom libraries import Hang\ntest_hang = liecheck.subject(Hang)\n"
         )
-        for how in (signal.SIGINT, signal.SIGKILL):
+        for how, flags in ((signal.SIGINT, []), (signal.SIGINT, ["-n", "2"]), (signal.SIGKILL, [])):
             with subprocess.Popen(
-                [PYTHON, "-m", "pytest", "test_other.py"],
+                [PYTHON, "-m", "pytest", "test_other.py", *flags],
                 cwd=PROJECT,
                 env=ENVIRONMENT,
                 text=True,
