@@ -237,6 +237,7 @@ class Pytest(unittest.TestCase):
                 session.send_signal(how)
                 said = session.communicate()[0]
             self.assertIn("KeyboardInterrupt" if how == signal.SIGINT else "", said)
+            until = time.time() + 8
             while processes() and time.time() < until:
                 time.sleep(0.1)
             self.assertEqual(processes(), [])
