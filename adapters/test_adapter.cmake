@@ -8,7 +8,7 @@ if(NOT WRONG STREQUAL "")  # the one function that the library has wrong for all
 elseif(result)
   message(FATAL_ERROR "liecheck adapter check ends with ${result}")
 endif()
-string(REGEX MATCH "^([^ \n]+) ([^\n]+): [0-9]+ functions\n" head "${text}")
+string(REGEX MATCH "^([^ \n]+) ([^\n]+): [0-9]+ functions?\n" head "${text}")
 set(name ${CMAKE_MATCH_1})
 set(version ${CMAKE_MATCH_2})
 string(REGEX MATCHALL "[^\n]+ (agrees|is wrong)\n" lines "${text}")

@@ -1,7 +1,7 @@
 # liecheck_add_subject(NAME SOURCES file... [LINK target...] [LIMITS file] [PROFILE ours|careful|half] [CASES n]
 #                      [SEED n] [RULES version])
 #
-# Builds an adapter (docs/adapters.md) from the sources, and then adds a ctest test, with the label NAME, for each law of
+# Builds an adapter (docs/start.md) from the sources, and then adds a ctest test, with the label NAME, for each law of
 # which the adapter offers an operation. The seed is fixed, so that a test that passed passes again. One more test,
 # NAME.today, runs all laws with the date as its seed. With RULES, a later liecheck judges by the same laws, inputs, limits
 # and hard cases (docs/ci.md).

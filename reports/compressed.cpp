@@ -1,5 +1,7 @@
 #include <zlib.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <reports/html.hpp>
 #include <stdexcept>
 
@@ -12,14 +14,17 @@ std::string compressed(const std::string& text) {
                 text.size(), Z_BEST_COMPRESSION) != Z_OK)
     throw std::runtime_error("the figures of the page could not be compressed: out of memory");
   bytes.resize(size);
-  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((size + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned three = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    for (unsigned k = 0; k < 4; ++k) out += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63] : '=';
+  std::string
+      out;  // four bytes as five digits of base 85, from '#' on and without '<'; of fewer bytes, one digit more
+  out.reserve((size + 3) / 4 * 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t four = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      four = four << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    char digits[5];
+    for (int k = 4; k >= 0; --k, four /= 85)
+      digits[k] = static_cast<char>('#' + four % 85 + (four % 85 >= '<' - '#'));
+    out.append(digits, std::min<std::size_t>(bytes.size() - i, 4) + 1);
   }
   return out;
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <reports/cost_points.hpp>
 #include <reports/html.hpp>
 
 namespace liecheck::reports {
@@ -28,10 +27,6 @@ bool has_coefficients(const std::string& operation) {
   return is_in("exp") || is_in("log") || is_in("jacobian") || is_in("integrate") || is_in("difference");
 }
 
-double digits(const RegionPoint& p) {
-  return std::isinf(p.error) ? 0 : std::max(0.0, -std::log10(p.error));
-}
-
 /// "pi-theta 1e-5..0.1" as "π − θ 1e-5…0.1".
 std::string band_words(std::string name) {
   for (const auto& [from, to] : {std::pair("pi-theta", "π − θ"), {"theta", "θ"}, {"..", "…"}, {"pi", "π"}})
@@ -48,37 +43,37 @@ bool is_as_fast(const RegionPoint& a, const RegionPoint& b) {
 /// How many of `best` digits are lost, and where.
 std::string lost_text(const RegionPoint& p, double best) {
   if (std::isinf(p.error)) return "has inputs without a result, at " + escaped(p.where);
-  return fmt::format("loses {:.0f} digits, at {}", best - digits(p), escaped(p.where));
+  return fmt::format("loses {:.0f} digits, at {}", best - shown_digits(p), escaped(p.where));
 }
 
 /// The fastest row that has all digits of the most accurate one but the last: sampled maxima tell less of less.
 const RegionPoint& fastest_accurate(const std::vector<RegionPoint>& points) {
-  const auto of = [](const RegionPoint& p) { return digits(p); };
-  const double most = digits(*std::ranges::max_element(points, {}, of));
-  return *std::ranges::find_if(points, [&](const RegionPoint& p) { return digits(p) >= most - 1; });
+  const double most = shown_digits(*std::ranges::max_element(points, {}, shown_digits));
+  return *std::ranges::find_if(points, [&](const RegionPoint& p) { return shown_digits(p) >= most - 1; });
 }
 
 /// What calls with many inputs take, where it is less and loses nothing.
 std::string many_text(const std::vector<RegionPoint>& many, const RegionPoint& one, const std::string& name) {
   const auto best = std::ranges::find_if(many, [&](const RegionPoint& p) {
-    return (name.empty() || p.subject == name) && p.scalar == one.scalar && digits(p) >= digits(one) - 1 &&
-           p.high < one.low;
+    return (name.empty() || p.subject == name) && p.scalar == one.scalar &&
+           shown_digits(p) >= shown_digits(one) - 1 && p.high < one.low;
   });
   return best == many.end()
              ? ""
              : fmt::format("; {} at once: {}{} each", best->batch,
-                           name.empty() ? escaped(best->subject) + ", " : "", time_text(best->ns));
+                           name.empty() ? escaped(best->subject) + ", " : "", time_text(best->latency));
 }
 
 std::string among_libraries(const std::vector<RegionPoint>& points, const std::vector<RegionPoint>& many) {
   const RegionPoint& take = fastest_accurate(points);
-  const double whole = std::floor(digits(take));
+  const double whole = std::floor(shown_digits(take));
   const std::string text = fmt::format("For {:.0f} digits take <b>{}</b> ({}{})", whole, escaped(take.name()),
-                                       time_text(take.ns), many_text(many, take, ""));
+                                       time_text(take.latency), many_text(many, take, ""));
   for (const RegionPoint& p : points)
-    if (p.subject != take.subject && p.scalar == take.scalar && is_as_fast(p, take) && digits(p) <= whole - 2)
-      return text + fmt::format("; {} ({}) {}", escaped(p.subject), time_text(p.ns), lost_text(p, whole)) +
-             ".";
+    if (p.subject != take.subject && p.scalar == take.scalar && is_as_fast(p, take) &&
+        shown_digits(p) <= whole - 2)
+      return text +
+             fmt::format("; {} ({}) {}", escaped(p.subject), time_text(p.latency), lost_text(p, whole)) + ".";
   return text + ".";
 }
 
@@ -88,21 +83,23 @@ std::string of_one_library(const RegionPoint& own, const std::vector<RegionPoint
     return fmt::format("{} ({})", forms.at(p.subject)[has_coefficients(p.operation) ? 0 : 1],
                        escaped(p.subject));
   };
-  const std::string text = fmt::format("{}: {:.1f} digits, {}{}", escaped(own.scalar), digits(own),
-                                       time_text(own.ns), many_text(many, own, own.subject));
+  const std::string text = fmt::format("{}: {:.1f} digits, {}{}", escaped(own.scalar), shown_digits(own),
+                                       time_text(own.latency), many_text(many, own, own.subject));
   if (forms_of_it.empty()) return text;
   const RegionPoint& more = fastest_accurate(forms_of_it);
-  if (const double won = digits(more) - digits(own); won > 1) {
-    const std::string price = own.high < more.low   ? "for " + time_text(more.ns - own.ns)
-                              : more.high < own.low ? "and takes " + time_text(own.ns - more.ns) + " less"
-                                                    : "in the same time";
+  if (const double won = shown_digits(more) - shown_digits(own); won > 1) {
+    const std::string price = own.high < more.low ? "for " + time_text(more.latency - own.latency)
+                              : more.high < own.low
+                                  ? "and takes " + time_text(own.latency - more.latency) + " less"
+                                  : "in the same time";
     return text + fmt::format("; {} wins <b>{:.1f} digits {}</b>, at {}", named(more), won, price,
                               escaped(own.where));
   }
-  const auto faster = std::ranges::find_if(
-      forms_of_it, [&](const RegionPoint& p) { return digits(p) >= digits(own) && p.high < own.low; });
+  const auto faster = std::ranges::find_if(forms_of_it, [&](const RegionPoint& p) {
+    return shown_digits(p) >= shown_digits(own) && p.high < own.low;
+  });
   if (faster == forms_of_it.end()) return text;
-  return text + fmt::format("; {} has no fewer and takes {}", named(*faster), time_text(faster->ns));
+  return text + fmt::format("; {} has no fewer and takes {}", named(*faster), time_text(faster->latency));
 }
 
 }  // namespace
@@ -132,7 +129,7 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
       const bool many = what == std::string_view("throughput");
       if (many && !takes_many(row)) continue;
       RegionPoint p;
-      p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation;
+      p.subject = row["subject"], p.scalar = row["scalar"], p.operation = operation, p.eps = row["eps"];
       double sets = 0, worst = -1;
       for (const Json& set : row["sets"]) {
         const std::string name = set["set"];
@@ -140,7 +137,7 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
         if (timed) {
           const Json& time = set[what];
           const double unit = time["ns"].get<double>() / time["ratio"].get<double>();
-          ++sets, p.ns += time["ns"].get<double>();
+          ++sets, p.latency += time["ns"].get<double>();
           p.low += unit * time["low"].get<double>(), p.high += unit * time["high"].get<double>();
           if (many) p.batch = set["inputs"];
         }
@@ -150,12 +147,12 @@ std::vector<RegionPoint> region_points(const Json& cost, const std::string& oper
         if (error > worst) worst = error, p.where = band_words(name);
       }
       if (sets == 0 || worst < 0) continue;
-      p.ns /= sets, p.low /= sets, p.high /= sets;
-      p.error = std::max(worst, row["eps"].get<double>() / 2);  // a scalar has no more digits
+      p.latency /= sets, p.low /= sets, p.high /= sets;
+      p.error = worst;
       points.push_back(p);
     }
   }
-  std::ranges::sort(points, {}, &RegionPoint::ns);
+  std::ranges::sort(points, {}, &RegionPoint::latency);
   return points;
 }
 

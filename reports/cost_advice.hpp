@@ -1,21 +1,16 @@
 #pragma once
 // What accuracy costs near 0, at moderate angles and near pi: one sentence for each operation and region.
 
-#include <reports/record.hpp>
+#include <reports/cost_points.hpp>
 #include <string>
 #include <vector>
 
 namespace liecheck::reports {
 
-/// One implementation of an operation in one region of the angle.
-struct RegionPoint {
-  std::string subject, scalar, operation;
-  double ns = 0, low = 0,
-         high = 0;        ///< time of an input and its spread, the mean over the bands of the region
-  double error = 0;       ///< largest relative error found, at least eps/2; infinite if a case has no result
-  std::string where;      ///< the band of the region with this error
-  std::size_t batch = 1;  ///< inputs of one call
-  std::string name() const { return subject + " in " + scalar; }
+/// One implementation of an operation in one region of the angle: its time is the mean over the bands of the region.
+struct RegionPoint : CostPoint {
+  double low = 0, high = 0;  ///< the spread of the time [ns]
+  std::string where;         ///< the band of the region with the largest error
 };
 
 struct CostRegion {

@@ -39,7 +39,7 @@ std::vector<CostPoint> cost_points(const Json& cost, const std::string& set) {
     if (error < 0) continue;
     const auto add = [&](const Json& time, bool dominated, std::size_t batch) {
       points.push_back({row["subject"], row["scalar"], row["operation"], error,
-                        time.is_null() ? 0 : time["ns"].get<double>(), dominated, batch});
+                        time.is_null() ? 0 : time["ns"].get<double>(), row["eps"], dominated, batch});
     };
     const Json &latency = (*own)["latency"], &throughput = (*own)["throughput"];
     const bool many = takes_many(row) && !throughput.is_null();
@@ -72,7 +72,7 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
 }
 
 double shown_digits(const CostPoint& p) {
-  return std::min(digits_of(p), p.scalar == "float" ? 7.2 : p.scalar == "double" ? 16.0 : 100.0);
+  return std::min(digits_of(p), -std::log10(p.eps / 2));
 }
 
 }  // namespace liecheck::reports

@@ -12,6 +12,7 @@ struct CostPoint {
   std::string subject, scalar, operation;
   double error = 0;        ///< largest relative error found; infinite if a case has no result
   double latency = 0;      ///< median time of an input [ns]; 0 if not timed
+  double eps = 0;          ///< of the scalar
   bool dominated = false;  ///< whether another row of the operation dominates this one, by latency
   std::size_t batch = 1;   ///< inputs of one call
   std::string name() const { return subject + " in " + scalar + at_once(); }
@@ -33,11 +34,11 @@ double error_of_set(const Json& set, double eps);
 /// has a point more, or only this one.
 std::vector<CostPoint> cost_points(const Json& cost, const std::string& set = "");
 
-/// The correct digits that are shown: at most those that the scalar has.
-double shown_digits(const CostPoint& point);
-
 /// Correct digits, max(0, -log10 error): infinite if every result is exact, 0 if a case has no result.
 double digits_of(const CostPoint& point);
+
+/// The correct digits that are shown: at most those of an error of eps/2.
+double shown_digits(const CostPoint& point);
 
 /// A step between two undominated points of an operation, by latency: `to` is the next slower point that has
 /// at most half the error of `from`.

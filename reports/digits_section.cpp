@@ -4,6 +4,7 @@
 #include <cmath>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
+#include <sstream>
 
 namespace liecheck::reports {
 namespace {
@@ -23,8 +24,36 @@ std::string box(const Looks& looks, const std::vector<const Json*>& rows, bool w
   const std::string words = !outcome.empty() ? outcome.substr(0, 1) == "N" ? "N" : "B"
                             : wide           ? fmt::format("{:.1f}", kept)
                                              : fmt::format("{}", std::floor(kept + .05));
-  const char* fails = outcome.empty() && looks.digits.lost(worst) < 2 ? "m" : "f";  // mildly, or not
-  return fmt::format("<i class={}>{}</i>", any("fail") ? fails : any("pass") ? "p" : "o", words);
+  const bool mildly = outcome.empty() && looks.digits.lost(worst) < 2;
+  return fmt::format("<i class={}>{}</i>",
+                     any("fail")                              ? mildly ? "m" : "f"
+                     : any("expected")                        ? "e"
+                     : any("pass")                            ? "p"
+                     : any("unresolved") || any("unmeasured") ? "o"
+                                                              : "i",
+                     words);
+}
+
+/// The operations in the order of docs/operations.md, then all others; those that fail first.
+std::vector<std::string> ordered(const Looks& looks, const std::vector<std::string>& operations) {
+  Distinct<std::string> documented;
+  std::istringstream lines{std::string(embedded_file("operations.md"))};
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("| ")) documented.add(line.substr(2, line.find(' ', 2) - 2));
+  std::vector<std::string> order;
+  for (const std::string& name : documented)
+    if (std::ranges::count(operations, name)) order.push_back(name);
+  for (const std::string& name : operations)
+    if (!std::ranges::count(order, name)) order.push_back(name);
+  std::ranges::stable_partition(order, [&](const std::string& name) { return looks.is_wrong(name); });
+  return order;
+}
+
+/// The time of a call in a cell, of three digits.
+std::string time_box(double ns) {
+  return fmt::format("<em>{}</em>", ns <= 0     ? "–"
+                                    : ns < 1000 ? fmt::format("{:.3g}", ns)
+                                                : fmt::format("{:.0f}", ns));
 }
 
 }  // namespace
@@ -40,10 +69,6 @@ std::string digits_table(const Looks& looks) {
         columns.add({row["subject"], row["scalar"]});
     cells[{row["operation"], row["subject"], row["scalar"]}][region_of(row)].push_back(&row);
   }
-  std::vector<std::string> order = operations;  // those that fail come first
-  std::ranges::stable_partition(order, [&](const std::string& operation) {
-    return std::ranges::any_of(looks.wrong, [&](const auto& w) { return w.second == operation; });
-  });
   std::map<Place, double> times;
   for (const Json& record : looks.merged.records)
     if (record.contains("cost"))
@@ -67,8 +92,12 @@ std::string digits_table(const Looks& looks) {
                          escaped(subject), swatch(looks.of.at(subject)), escaped(subject));
   }
   std::string body;
-  for (const std::string& operation : order) {
-    body += fmt::format("<tr data-operation=\"{0}\"><th scope=\"row\">{0}</th>", escaped(operation));
+  bool was_wrong = false;
+  for (const std::string& operation : ordered(looks, operations)) {
+    const bool wrong = looks.is_wrong(operation);
+    body += fmt::format("<tr id=\"op-{0}\"{1} data-operation=\"{0}\"><th scope=\"row\">{0}</th>",
+                        escaped(operation), was_wrong && !wrong ? " class=\"rest\"" : "");
+    was_wrong = wrong;
     for (const std::string& subject : subjects)
       for (const auto& [s, scalar] : columns) {
         if (s != subject) continue;
@@ -80,14 +109,8 @@ std::string digits_table(const Looks& looks) {
         std::string boxes;
         for (const auto& rows : cell->second) boxes += box(looks, rows, wide_columns <= 2);
         const auto time = times.find({operation, subject, scalar});
-        body += fmt::format("<td><button class=\"digits boxes\">{}{}</button></td>", boxes,
-                            time != times.end() && time->second > 0
-                                ? "<em>" +
-                                      (time->second < 1000 ? fmt::format("{:.3g}", time->second)
-                                                           : fmt::format("{:.0f}", time->second)) +
-                                      "</em>"
-                            : times.empty() ? ""
-                                            : "<em></em>");
+        if (!times.empty()) boxes += time_box(time == times.end() ? 0 : time->second);
+        body += fmt::format("<td><button class=\"digits boxes\">{}</button></td>", boxes);
       }
     body += "</tr>\n";
   }

@@ -1,37 +1,140 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <reports/cost_advice.hpp>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
+#include <set>
 #include <tuple>
 
 namespace liecheck::reports {
 namespace {
 
-/// The pictures near 0 and near pi of the block that a finding names, of its worst one in double if it names
-/// several.
-std::string bands_of(const Looks& looks, const Json& finding, const std::string& title) {
-  const auto rank = [&](const Json& row) {
-    const bool named = title.find("(" + row["block"].get<std::string>()) != title.npos;
-    return std::tuple(named, row["scalar"] == "double", severity(row));
-  };
+/// The name of an operation, as a link to its row of the table of digits.
+std::string linked(const std::string& operation) {
+  return fmt::format("<a href=\"#op-{0}\">{0}</a>", escaped(operation));
+}
+
+/// The names in a list, "log6, exp6".
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> all;
+  for (std::size_t from = 0; from < list.size();) {
+    const auto to = std::min(list.find(", ", from), list.size());
+    all.push_back(list.substr(from, to - from));
+    from = to + 2;
+  }
+  return all;
+}
+
+/// A finding of a record and what its text names.
+struct Told {
+  const Json& finding;
+  FindingText text;
+  std::vector<std::string> blocks, others;  ///< blocks of its operation; operations that fail in the same way
+
+  explicit Told(const Json& f) : finding(f), text(parts_of(f["text"])) {
+    const auto open = text.title.find(" ("), close = text.title.find(')');
+    if (open != std::string::npos && close != std::string::npos && open < close)
+      blocks = names_in(text.title.substr(open + 2, close - open - 2));
+    for (const auto& [name, words] : text.lines)
+      if (name == "so") others = names_in(words.substr(0, words.find(" fail")));
+  }
+  std::string subject() const { return finding["subject"]; }
+  std::string operation() const { return finding["operation"]; }
+  bool has_block(const std::string& block) const { return std::ranges::count(blocks, block) > 0; }
+};
+
+/// The largest loss of digits of rows, of ordinary inputs or of all.
+const Json* worst_of(const Looks& looks, const std::vector<const Json*>& rows, bool ordinary) {
   const Json* worst = nullptr;
+  const auto loss = [&](const Json& row) {
+    return std::pair(!outcome_of(row).empty(), looks.digits.lost(row));
+  };
+  for (const Json* r : rows)
+    if ((!ordinary || is_ordinary(*r)) && (!worst || loss(*r) > loss(*worst))) worst = r;
+  return worst;
+}
+
+/// The pictures near 0 and near pi of the block of a finding that fails most for ordinary inputs, in double if that fails.
+std::string bands_of(const Looks& looks, const Told& told) {
+  const auto rank = [&](const Json& row) {
+    const auto place = std::ranges::find(told.blocks, row["block"].get<std::string>()) - told.blocks.begin();
+    return std::tuple(place < std::ssize(told.blocks), row["status"] == "fail", row["scalar"] == "double",
+                      is_ordinary(row), looks.digits.lost(row), -place);
+  };
+  const Json* first = nullptr;
   for (const Json& row : looks.merged.results)
-    if (row["subject"] == finding["subject"] && row["operation"] == finding["operation"] &&
-        row["axis"] != "none" && row["count"] > 0 && (!worst || rank(row) > rank(*worst)))
-      worst = &row;
-  if (!worst) return "";
+    if (row["subject"] == told.subject() && row["operation"] == told.operation() && row["axis"] != "none" &&
+        row["count"] > 0 && (!first || rank(row) > rank(*first)))
+      first = &row;
+  if (!first) return "";
   std::vector<const Json*> rows;
   for (const Json& row : looks.merged.results)
     if (std::ranges::all_of(std::array{"subject", "operation", "block", "property", "scalar"},
-                            [&](const char* name) { return row[name] == (*worst)[name]; }))
+                            [&](const char* name) { return row[name] == (*first)[name]; }))
       rows.push_back(&row);
   std::string out;
   for (const auto& [head, axis] : {std::pair("near 0", "theta"), {"near π", "pi_minus_theta"}})
     if (const std::string picture = error_picture(looks, rows, axis); !picture.empty())
-      out += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", head, picture);
-  return "<div class=\"panels\">" + out + "</div>";
+      out += fmt::format("<figure><figcaption>{}: {} in {}</figcaption>{}</figure>", head,
+                         text_of(*first, "block"), text_of(*first, "scalar"), picture);
+  const Json *worst = worst_of(looks, rows, false), *ordinary = worst_of(looks, rows, true);
+  const bool differ = ordinary && (*ordinary)["status"] == "fail" &&
+                      looks.digits.words(*worst) != looks.digits.words(*ordinary);
+  return "<div><div class=\"panels\">" + out + "</div>" +
+         (differ ? fmt::format("<p class=\"note\">Marks below 10⁻⁸ and closer to π than 10⁻⁸ are extreme "
+                               "angles, which the heading does not count: {} there.</p>",
+                               looks.digits.words(*worst))
+                 : std::string()) +
+         "</div>";
+}
+
+/// HTML: how many hard cases fail in the operation of a finding, and in those that fail in the same way.
+std::string hard_of(const std::vector<HardCase>& cases, const Told& told, bool first_of_operation) {
+  std::size_t own = 0, others = 0;
+  Distinct<std::string> names, operations;
+  for (const HardCase& c : cases) {
+    if (!c.failed || c.subject != told.subject()) continue;
+    if (c.operation == told.operation() && (told.has_block(c.block) || first_of_operation))
+      ++own, names.add(c.name);
+    else if (std::ranges::count(told.others, c.operation))
+      ++others, operations.add(c.operation);
+  }
+  std::string text;
+  if (own > 0)
+    text = fmt::format("{} of {} {}, too: {}{}", own, told.operation(), own == 1 ? "fails" : "fail",
+                       escaped(*names.begin()), names.size() > 1 ? ", …" : "");
+  if (others > 0)
+    text += fmt::format("{}{} of {}, which {} in the same way", own > 0 ? "; and " : "", others,
+                        escaped(fmt::format("{}", fmt::join(operations, ", "))),
+                        operations.size() == 1 ? "fails" : "fail");
+  return text.empty() ? "" : "<a href=\"#stability\">hard cases</a>: " + text;
+}
+
+/// The operations that fail and that no finding names, of each library.
+std::string further_operations(const Looks& looks, const std::vector<Told>& told) {
+  std::set<std::pair<std::string, std::string>> ordinary;  // those that fail for ordinary inputs
+  for (const Json& row : looks.merged.results)
+    if (row["status"] == "fail" && is_ordinary(row)) ordinary.emplace(row["subject"], row["operation"]);
+  std::map<std::string, std::array<Cells, 2>> further;  // by library, the second at extreme angles alone
+  for (const auto& [subject, operation] : looks.wrong)
+    if (std::ranges::none_of(told, [&, &s = subject, &o = operation](const Told& t) {
+          return t.subject() == s && (t.operation() == o || std::ranges::count(t.others, o));
+        }))
+      further[subject][!ordinary.contains({subject, operation})].push_back(linked(operation));
+  std::string out;
+  for (const auto& [subject, operations] : further) {
+    Cells parts;
+    for (const bool extreme : {false, true})
+      if (const Cells& own = operations[extreme]; !own.empty())
+        parts.push_back(fmt::format("{}{} further operation{}: {}",
+                                    extreme ? "at extreme angles alone in " : "in ", own.size(),
+                                    own.size() == 1 ? "" : "s", fmt::join(own, ", ")));
+    out += fmt::format("<p>{}<b>{}</b> fails {}.</p>\n", swatch(looks.of.at(subject)), escaped(subject),
+                       fmt::join(parts, "; "));
+  }
+  return out;
 }
 
 /// HTML: the digits and the time of the operation on the timed inputs, and what a repaired form of its formula would win or,
@@ -71,44 +174,54 @@ std::string price_of(const Looks& looks, const Json& finding) {
               : std::string());
 }
 
+/// The article of a finding.
+std::string article(const Looks& looks, const Told& told, bool one_library, const std::string& hard) {
+  std::vector<std::pair<std::string, std::string>> lines;  // HTML
+  for (const auto& [name, words] : told.text.lines)
+    if (name == "replay" || name == "program")
+      lines.emplace_back(name, fmt::format("<code class=\"{}\">{}</code>", name, escaped(words)));
+    else if (name == "hard")
+      lines.emplace_back(name, hard.empty() ? escaped(words) : hard);
+    else
+      lines.emplace_back(escaped(name), escaped(words));
+  if (const std::string price = price_of(looks, told.finding); !price.empty())
+    lines.emplace_back("time", price);
+  std::string list;
+  for (const auto& [name, words] : lines) list += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, words);
+  const std::string& title = told.text.title;
+  const auto colon = title.find(": "), operation = told.operation().size();
+  const std::string what = title.substr(0, colon);
+  return fmt::format(
+      "<article class=\"finding\"><div><h3>{}<span class=\"of\">{}</span> {}{}<b>{}</b></h3>\n"
+      "<dl>{}</dl></div>{}</article>\n",
+      swatch(looks.of.at(told.subject())), one_library ? "" : escaped(told.subject()),
+      what.starts_with(told.operation()) ? linked(told.operation()) : "",
+      escaped(what.starts_with(told.operation()) ? what.substr(operation) : what),
+      colon == std::string::npos ? "" : escaped(title.substr(colon + 2)), list, bands_of(looks, told));
+}
+
 }  // namespace
 
 std::string findings_section(const Looks& looks) {
-  std::string out;
-  std::size_t count = 0;
-  const bool one = std::ranges::all_of(looks.merged.results, [&](const Json& row) {
-    return row["subject"] == looks.merged.results.front()["subject"];
-  });
+  const bool one = !only_library(looks.merged).empty();
+  const auto cases = hard_cases(looks.merged);
+  std::vector<Told> all;
   for (const Json& record : looks.merged.records)
-    for (const Json& finding : list_in(record, "findings")) {
-      ++count;
-      FindingText parts = parts_of(finding["text"]);
-      if (const std::string price = price_of(looks, finding); !price.empty())
-        parts.lines.emplace_back("time", price);
-      const auto colon = parts.title.find(": ");
-      std::string lines;
-      for (const auto& [name, words] : parts.lines) {
-        lines +=
-            fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name),
-                        name == "replay"    ? fmt::format("<code class=\"replay\">{}</code>", escaped(words))
-                        : name == "program" ? fmt::format("<code class=\"program\">{}</code>", escaped(words))
-                        : name == "time"    ? words
-                                            : escaped(words));
-      }
-      const std::string subject = finding["subject"];
-      out += fmt::format(
-          "<article class=\"finding\"><div><h3>{}<span class=\"of\">{}</span> {}<b>{}</b></h3>\n"
-          "<dl>{}</dl></div>{}</article>\n",
-          swatch(looks.of.at(subject)), one ? "" : escaped(subject), escaped(parts.title.substr(0, colon)),
-          colon == std::string::npos ? "" : escaped(parts.title.substr(colon + 2)), lines,
-          bands_of(looks, finding, parts.title));
-    }
-  if (out.empty()) return "";
+    for (const Json& finding : list_in(record, "findings")) all.emplace_back(finding);
+  std::set<std::pair<std::string, std::string>> seen;
+  std::string out;
+  for (const Told& told : all) {
+    const bool first = seen.emplace(told.subject(), told.operation()).second;
+    out += article(looks, told, one, hard_of(cases, told, first));
+  }
+  const std::string further = further_operations(looks, all);
+  if (out.empty() && further.empty()) return "";
   return fmt::format(
-      "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is wrong: "
-      "{} finding{}</h2>\n"
-      "{}</section>\n",
-      count, count == 1 ? "" : "s, the worst first", out);
+      "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is "
+      "wrong{}</h2>\n{}{}</section>\n",
+      all.empty() ? std::string()
+                  : fmt::format(": {} finding{}", all.size(), all.size() == 1 ? "" : "s, the worst first"),
+      out, further);
 }
 
 }  // namespace liecheck::reports

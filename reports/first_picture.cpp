@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <reports/drawing.hpp>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
 
@@ -34,19 +36,27 @@ std::string label(double x, double y, const std::string& html, const char* kind)
   return fmt::format("<text x=\"{:.4g}\" y=\"{:.4g}\" class=\"{}\">{}</text>\n", x, y, kind, html);
 }
 
+/// The height at which a picture is as wide as a panel.
+double high_of(const std::string& picture) {
+  const auto at = picture.find("viewBox=\"0 0 ");
+  return at == picture.npos ? 0 : std::stod(picture.substr(picture.find(' ', at + 13))) * panel_wide / width;
+}
+
 /// A picture at a place of another one.
 std::string placed(std::string picture, double x, double y) {
   const std::string start = "<svg class=\"picture\"";
-  picture.replace(0, start.size(),
-                  fmt::format("<svg class=\"picture\" x=\"{:.4g}\" y=\"{:.4g}\" width=\"{}\" height=\"{}\"",
-                              x, y, panel_wide, panel_wide * .74));
+  const double high = high_of(picture);
+  picture.replace(
+      0, start.size(),
+      fmt::format("<svg class=\"picture\" x=\"{:.4g}\" y=\"{:.4g}\" width=\"{}\" height=\"{:.4g}\"", x, y,
+                  panel_wide, high));
   return picture;
 }
 
 constexpr const char* style = R"(
 text { font: 13px system-ui, "DejaVu Sans", Helvetica, sans-serif; fill: var(--ink); } .paper { fill: var(--paper); stroke: var(--rule); }
 .title { font-size: 24px; font-weight: 700; } .head { font-size: 16px; font-weight: 600; } .note { font-size: 12px; fill: var(--soft); }
-.caption { font-size: 12px; font-weight: 600; } .fail { fill: var(--bad); } .pass { fill: var(--good); })";
+.caption { font-size: 12px; font-weight: 600; } .fail { fill: var(--bad); } .edge { fill: var(--edge); } .pass { fill: var(--good); })";
 
 }  // namespace
 
@@ -54,8 +64,8 @@ std::string first_picture(const Merged& merged) {
   const Looks looks(merged);
   const FirstScreen screen = first_screen(looks);
   double y = 40;
-  std::string out = label(margin, y, screen.title, fmt::format("title {}", screen.verdict).c_str());
-  for (const auto& [subject, kind, mark, words] : screen.lines) {
+  std::string out = label(margin, y, screen.title, fmt::format("title {}", screen.kind).c_str());
+  for (const auto& [subject, kind, mark, words, headline] : screen.lines) {
     y += 24;
     out += label(margin, y, mark, kind.c_str());
     std::string look = swatch(looks.of.at(subject));
@@ -63,21 +73,29 @@ std::string first_picture(const Merged& merged) {
     out += look + label(margin + 54, y, fmt::format("{} {}", escaped(subject), without_elements(words)), "");
   }
   y += 36;
-  double x = margin, end = y;
+  const auto across = [](const FirstScreen::Question& q) {
+    return static_cast<double>(q.pictures.size()) * (panel_wide + panel_gap);
+  };
+  std::vector<std::vector<std::string>> answers;
+  std::size_t most = 0;
   for (const auto& q : screen.questions) {
-    const double across = static_cast<double>(q.pictures.size()) * (panel_wide + panel_gap);
+    answers.push_back(lines_of(without_elements(q.answer), static_cast<std::size_t>(across(q) / 6.7)));
+    most = std::max(most, answers.back().size());
+  }
+  const double pictures = y + 36 + 16 * static_cast<double>(most);
+  double x = margin, end = y;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto& q = screen.questions[i];
     out += label(x, y, q.words, "head");
-    double down = y + 4;
-    for (const std::string& line :
-         lines_of(without_elements(q.answer), static_cast<std::size_t>(across / 6.7)))
-      out += label(x, down += 16, line, "note");
-    double at = x;
+    double down = y + 4, at = x;
+    for (const std::string& line : answers[i]) out += label(x, down += 16, line, "note");
     for (const auto& [head, picture] : q.pictures) {
-      if (!picture.empty()) out += label(at + 28, y + 84, head, "caption") + placed(picture, at, y + 92);
+      if (picture.empty()) continue;
+      out += label(at + 8, pictures - 8, head, "caption") + placed(picture, at, pictures);
+      end = std::max(end, pictures + high_of(picture));
       at += panel_wide + panel_gap;
     }
-    end = std::max(end, y + 92 + panel_wide * .74);
-    x += across + panel_gap;
+    x += across(q) + panel_gap;
   }
   const double high = end + margin;
   return fmt::format(

@@ -75,7 +75,7 @@ Json packed(const Json& value);
 /// the worst one there. `looks` has the look of each library.
 Json page_numbers(Json numbers, const Looks& looks);
 
-/// The text compressed by zlib, in base64. The browser expands it; DecompressionStream("deflate") has been in every
+/// The text compressed by zlib, in base 85. The browser expands it; DecompressionStream("deflate") has been in every
 /// browser since 2023.
 std::string compressed(const std::string& text);
 

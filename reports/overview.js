@@ -1,8 +1,8 @@
 // What the scripts know of the regions of the angle and of the digits that a row loses. Both are decided in regions.cpp;
 // the first screen is written there, too.
 
-const REGIONS = [{key: "zero", name: "θ < 10⁻⁷"}, {key: "small", name: "θ 10⁻⁷…⁠10⁻²"}, {key: "moderate", name: "θ 10⁻²…⁠π⁠−⁠1"},
-  {key: "near-pi", name: "π − θ 10⁻⁷…⁠1"}, {key: "pi", name: "π − θ < 10⁻⁷"}, {key: "beyond", name: "θ > π"}, {key: "all", name: "without angle"}];
+const REGIONS = [{key: "zero", name: "θ < 10⁻⁸"}, {key: "small", name: "θ 10⁻⁸…⁠10⁻²"}, {key: "moderate", name: "θ 10⁻²…⁠π⁠−⁠1"},
+  {key: "near-pi", name: "π − θ 10⁻⁸…⁠1"}, {key: "pi", name: "π − θ < 10⁻⁸"}, {key: "beyond", name: "θ > π"}, {key: "all", name: "without angle"}];
 const regionOf = row => REGIONS.find(r => r.key === row.region);
 
 const epsOf = row => find("subjects", s => s.name === row.subject && s.scalar === row.scalar)?.eps ?? 2 ** -52;

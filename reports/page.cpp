@@ -230,6 +230,17 @@ std::string coverage_section(const Merged& merged) {
   for (const Json& record : merged.records)
     for (const std::string name : record["absent"])
       rows.add({escaped(name), "all", "all", "absent from this build"});
+  const auto lacks = [&](const char* part) {
+    return std::ranges::none_of(merged.records, [&](const Json& r) { return r.contains(part); });
+  };
+  const bool of_liecheck =
+      std::ranges::any_of(merged.results, [](const Json& row) { return row["subject"] == "liecheck"; });
+  for (const auto& [part, what] : {std::pair("sweep", "coefficients at every float"),
+                                   {"bounds", "proofs of whole operations"},
+                                   {"scenes", "simulated scenes"}})
+    if (of_liecheck && lacks(part))
+      rows.add(
+          {"liecheck", "all", what, "not in these records: the laboratory, liecheck-lab, measures them"});
   if (rows.empty()) return "<p>Every subject offers every operation and was measured; none is absent.</p>\n";
   return table("What was not measured", {"subject", "scalar", "operation or law", "why"}, rows);
 }
@@ -263,6 +274,12 @@ std::string files(std::initializer_list<const char*> names) {
   return all;
 }
 
+/// The comment at the head of a program.
+std::string first_comment(const std::string& text) {
+  const auto from = text.find("/*!"), to = text.find("*/", from);
+  return from == text.npos ? "" : text.substr(from + 3, to - from - 3);
+}
+
 }  // namespace
 
 std::string page(const Merged& merged, const Json& numbers) {
@@ -270,7 +287,8 @@ std::string page(const Merged& merged, const Json& numbers) {
   const FirstScreen screen = first_screen(looks);
   const std::map<std::string_view, std::string> slots = {
       {"style", files({"picture.css", "page.css", "stability.css", "scenes.css"})},
-      {"chart library", files({"chart.min.js"})},
+      {"chart library", compressed(files({"chart.min.js"}))},
+      {"chart license", escaped(first_comment(files({"chart.min.js"})))},
       {"scripts",
        files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "page.js",
               "digits.js", "map.js", "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
@@ -293,18 +311,23 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"definitions", definitions_section(merged)},
       {"coverage", coverage_section(merged)},
       {"machine", machine_section(merged)}};
-  // One pass over page.html: the text that replaces a slot is not searched for further slots.
+  // One pass over page.html: the text that replaces a slot is not searched for further slots. What stands between {{?slot}}
+  // and {{/slot}} is left out if the slot is empty.
   std::string out;
   std::string_view rest = embedded_file("page.html");
   for (;;) {
     const auto open = rest.find("{{");
     out += rest.substr(0, open);
     if (open == rest.npos) return out;
-    const auto close = rest.find("}}", open);
-    const std::string_view name = rest.substr(open + 2, close - open - 2);
+    auto close = rest.find("}}", open);
+    std::string_view name = rest.substr(open + 2, close - open - 2);
+    const bool is_if = name.starts_with('?'), is_end = name.starts_with('/');
+    if (is_if || is_end) name.remove_prefix(1);
     const auto slot = slots.find(name);
     if (slot == slots.end()) throw std::logic_error("page.html: unknown slot " + std::string(name));
-    out += slot->second;
+    if (is_if && slot->second.empty())
+      close = rest.find(fmt::format("{{{{/{}}}}}", name), close) + name.size() + 3;
+    if (!is_if && !is_end) out += slot->second;
     rest.remove_prefix(close + 2);
   }
 }

@@ -18,6 +18,16 @@ namespace {
 constexpr std::size_t most_inputs = 16;          ///< numbers of a worst input; that of a tree has hundreds
 constexpr std::size_t longest_expression = 120;  ///< of a hard case; longer ones are the numbers of its input
 
+/// What a row without a worst case has.
+const Json no_worst = {{"stem", ""},
+                       {"case", ""},
+                       {"count", 0},
+                       {"kappa", nullptr},
+                       {"shown", false},
+                       {"call", ""},
+                       {"input", Json::array()},
+                       {"numbers", Json::array()}};
+
 /// All fractions with four digits; a chart or a table shows three.
 void shorten(Json& value) {
   if (value.is_number_float() && std::isfinite(value.get<double>()))
@@ -32,6 +42,22 @@ std::string cell_of(const Json& row) {
                      text_of(row, "operation"), regions[region_of(row)].key);
 }
 
+/// A worst case with the keys that all of them have, so that packed() makes columns of them. The address of a case ends with its
+/// number; what comes before is the same in many rows.
+Json worst_of_page(const Json& worst, bool shown) {
+  Json w = no_worst;
+  const std::string id = worst["id"];
+  const auto dot = std::min(id.rfind('.'), id.size());
+  w["stem"] = id.substr(0, dot), w["case"] = id.substr(dot), w["count"] = worst["input"].size();
+  w["kappa"] = worst.value("kappa", Json()), w["shown"] = shown;
+  shorten(w["kappa"]);
+  if (!shown) return w;
+  w["call"] = worst.value("call", ""), w["numbers"] = worst.value("numbers", Json::array());
+  for (std::size_t i = 0; i < std::min(worst["input"].size(), most_inputs); ++i)
+    w["input"].push_back(worst["input"][i]);
+  return w;
+}
+
 void shorten_results(Json& results, const Digits& digits) {
   const std::vector<std::size_t> worst = worst_rows(results);
   const std::set<std::size_t> shown(worst.begin(), worst.end());
@@ -41,17 +67,7 @@ void shorten_results(Json& results, const Digits& digits) {
     row["lost"] = std::round(100 * digits.lost(row)) / 100;
     row.erase("reason");
     for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) shorten(row[name]);
-    if (!has_worst(row)) continue;
-    Json& w = row["worst"];
-    if (w.contains("kappa")) shorten(w["kappa"]);
-    w["count"] = w["input"].size();
-    w["shown"] = shown.contains(i);
-    if (!shown.contains(i)) {
-      w["input"] = Json::array();
-      w.erase("numbers"), w.erase("call");
-    } else if (w["input"].size() > most_inputs) {
-      w["input"].erase(w["input"].begin() + most_inputs, w["input"].end());
-    }
+    row["worst"] = has_worst(row) ? worst_of_page(row["worst"], shown.contains(i)) : no_worst;
   }
 }
 

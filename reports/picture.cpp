@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <reports/drawing.hpp>
 #include <reports/html.hpp>
 #include <reports/summary.hpp>
 #include <set>
@@ -12,52 +13,6 @@
 
 namespace liecheck::reports {
 namespace {
-
-constexpr double width = 320, height = 236, left = 30, right = 312, top = 12, bottom = 196;
-
-/// Outlines around a point, in the order of the looks.
-constexpr auto circle = "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0z", triangle = "m0-4l4 7h-8z",
-               square = "m-3-3h6v6h-6z", diamond = "m0-4.2l4.2 4.2l-4.2 4.2l-4.2-4.2z",
-               star = "m-3-3l6 6m0-6l-6 6m3-7v8m-4-4h8", cross = "m0-4v8m-4-4h8",
-               saltire = "m-3-3l6 6m0-6l-6 6";
-constexpr std::array markers = {circle, triangle, square,   diamond, circle, star,
-                                cross,  saltire,  triangle, square,  diamond};
-static_assert(markers.size() == look_count);
-
-std::string text(double x, double y, const std::string& words, const char* anchor = "middle",
-                 const char* kind = "") {
-  return fmt::format("<text x=\"{:.4g}\" y=\"{:.4g}\" text-anchor=\"{}\"{}>{}</text>", x, y, anchor,
-                     *kind ? fmt::format(" class=\"{}\"", kind) : "", escaped(words));
-}
-
-std::string line(double x0, double y0, double x1, double y1, const char* kind) {
-  return fmt::format("<path class=\"{}\" d=\"M{:.4g} {:.4g}L{:.4g} {:.4g}\"/>", kind, x0, y0, x1, y1);
-}
-
-std::string marker(double x, double y, std::size_t shape, const std::string& title,
-                   const char* kind = "mark") {
-  return fmt::format("<path class=\"{}\" d=\"M{:.4g} {:.4g}{}\"><title>{}</title></path>", kind, x, y,
-                     markers[shape % look_count], escaped(title));
-}
-
-/// The elements of a library, in its colour.
-std::string in_look(std::size_t look, const std::string& elements) {
-  return fmt::format("<g style=\"--c:var(--look-{})\">{}</g>", look % look_count, elements);
-}
-
-std::string drawn(const std::string& label, const std::string& elements, double high = height) {
-  return fmt::format(
-      "<svg class=\"picture\" viewBox=\"0 0 {} {:.4g}\" role=\"img\" aria-label=\"{}\">{}</svg>\n", width,
-      high, escaped(label), elements);
-}
-
-std::string power(int e) {
-  if (e == 0) return "1";
-  constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out = "10";
-  for (const char c : std::to_string(e)) out += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
-  return out;
-}
 
 /// A band without a place on a logarithmic axis: 0, and bands of many decades. They share the columns beyond its end.
 bool is_slot(const Json& row) {
@@ -155,48 +110,6 @@ std::string error_line(const Looks& looks, const std::vector<const Json*>& own, 
   return in_look(look, fmt::format("<path class=\"line\" d=\"{}\"/>{}", path, marks));
 }
 
-/// Names beside points, the first ones first; a name that would cover a point or another name is left out.
-class Names {
- public:
-  struct Box {
-    double x0, y0, x1, y1;
-  };
-  void keep_free(const Box& box) { taken_.push_back(box); }
-  std::string name(double x, double y, const std::string& words, const char* kind) {
-    const double wide = 5.7 * static_cast<double>(words.size());
-    for (const auto& [from, down] : {std::pair(x + 7, y + 3.5),
-                                     {x - 7 - wide, y + 3.5},
-                                     {x - wide / 2, y - 8},
-                                     {x - wide / 2, y + 15},
-                                     {x + 6, y - 5},
-                                     {x + 6, y + 12},
-                                     {x - 6 - wide, y - 5}}) {
-      const Box box{from, down - 9, from + wide, down + 2};
-      if (box.x0 < left + 1 || box.x1 > right + 6 || box.y0 < 0 || box.y1 > bottom) continue;
-      if (std::ranges::any_of(taken_, [&](const Box& b) {
-            return b.x0 < box.x1 && box.x0 < b.x1 && b.y0 < box.y1 && box.y0 < b.y1;
-          }))
-        continue;
-      taken_.push_back(box);
-      return text(from, down, words, "start", kind);
-    }
-    return "";
-  }
-
- private:
-  std::vector<Box> taken_;
-};
-
-/// Logarithmic ticks of times [ns]: 1, 2 and 5 in each decade, or 1 alone if there are many decades.
-std::vector<double> time_ticks(double low, double high) {
-  std::vector<double> all;
-  for (int e = static_cast<int>(std::floor(std::log10(low))); e <= std::log10(high); ++e)
-    for (const double m : {1.0, 2.0, 5.0})
-      if (const double t = m * std::pow(10, e); t >= low && t <= high && (m == 1 || high / low < 300))
-        all.push_back(t);
-  return all;
-}
-
 }  // namespace
 
 std::map<std::string, std::size_t> looks_of(const Merged& merged) {
@@ -220,7 +133,7 @@ std::string swatch(std::size_t look) {
       "<svg class=\"swatch\" width=\"26\" height=\"12\" viewBox=\"0 0 26 12\" aria-hidden=\"true\" "
       "style=\"--c:var(--look-{})\"><path class=\"line\" d=\"M0 6h26\"/><path class=\"mark bad\" d=\"M13 "
       "6{}\"/></svg>",
-      look % look_count, markers[look % look_count]);
+      look % look_count, outline(look));
 }
 
 std::string error_picture(const Looks& looks, const std::vector<const Json*>& rows, const std::string& axis) {
@@ -243,69 +156,6 @@ std::string error_picture(const Looks& looks, const std::vector<const Json*>& ro
     out += error_line(looks, mine, bands, look);
   }
   return drawn(fmt::format("Digits lost {}.{}", axis == "theta" ? "near 0" : "near π", spoken), out);
-}
-
-std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& points,
-                         const std::string& operation) {
-  std::vector<const CostPoint*> own;
-  for (const CostPoint& p : points)
-    if (p.operation == operation && p.latency > 0 && (p.scalar == "float" || p.scalar == "double"))
-      own.push_back(&p);
-  if (own.empty()) return "";
-  const auto digits = [](const CostPoint* p) { return shown_digits(*p); };
-  std::ranges::stable_sort(own, {}, [](const CostPoint* p) { return p->latency; });
-  const double low = own.front()->latency / 1.5, high = own.back()->latency * 1.7;
-  double least = 16, most = 0;
-  for (const CostPoint* p : own) least = std::min(least, digits(p)), most = std::max(most, digits(p));
-  least = std::floor(least) - (least < 1 ? 0 : 1), most = std::ceil(most + .3);
-  const auto x = [&](double ns) { return left + (right - left) * std::log(ns / low) / std::log(high / low); };
-  const auto y = [&](double d) { return bottom - 4 - (bottom - 4 - top) * (d - least) / (most - least); };
-  std::string out;
-  for (const double t : time_ticks(low, high))
-    out += line(x(t), top, x(t), bottom, "grid") + text(x(t), bottom + 13, fmt::format("{:g}", t));
-  const double step = most - least > 8 ? 4 : most - least > 4 ? 2 : 1;
-  for (double d = std::ceil(least / step) * step; d <= most; d += step)
-    out += line(left, y(d), right, y(d), "grid") + text(left - 4, y(d) + 3.5, fmt::format("{:g}", d), "end");
-  out += text((left + right) / 2, height - 12, "latency of a call [ns]");
-  std::vector<const CostPoint*> front;  // of calls with one input
-  for (const CostPoint* p : own)
-    if (p->batch == 1 && !p->dominated && (front.empty() || digits(p) > digits(front.back())))
-      front.push_back(p);
-  std::string stairs, spoken, marks, names;
-  for (const CostPoint* p : front) {
-    const double px = x(p->latency), py = y(digits(p));
-    stairs += stairs.empty() ? fmt::format("M{:.4g} {}V{:.4g}", px, bottom, py)
-                             : fmt::format("H{:.4g}V{:.4g}", px, py);
-    spoken += fmt::format("{}{}, {:.3g} ns, {:.1f} digits", spoken.empty() ? "" : "; ", p->name(), p->latency,
-                          digits(p));
-  }
-  if (!front.empty()) out += fmt::format("<path class=\"front\" d=\"{}H{}\"/>", stairs, right);
-  Names placed;
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    const double px = x(front[i]->latency), py = y(digits(front[i]));
-    placed.keep_free({px - 1, py, px + 1, i ? y(digits(front[i - 1])) : bottom});
-    placed.keep_free({px, py - 1, i + 1 < front.size() ? x(front[i + 1]->latency) : right, py + 1});
-  }
-  for (const CostPoint* p : own)
-    placed.keep_free({x(p->latency) - 5, y(digits(p)) - 5, x(p->latency) + 5, y(digits(p)) + 5});
-  for (const bool of_front : {true, false})
-    for (const CostPoint* p : own) {
-      const bool on_front = std::ranges::find(front, p) != front.end();
-      if (on_front != of_front) continue;
-      const auto look = looks.of.find(p->subject);
-      marks += in_look(
-          look == looks.of.end() ? 0 : look->second,
-          marker(x(p->latency), y(digits(p)), look == looks.of.end() ? 0 : look->second,
-                 fmt::format("{}: {:.1f} correct digits, {:.3g} ns", p->name(), digits(p), p->latency),
-                 on_front ? "mark bad" : "mark"));
-      names += placed.name(x(p->latency), y(digits(p)),
-                           p->subject + (p->scalar == "float" ? " float" : "") +
-                               (p->batch > 1 ? fmt::format(" × {}", p->batch) : ""),
-                           of_front ? "strong" : "");
-    }
-  return drawn(
-      fmt::format("Correct digits of {} over the time of a call. Pareto front: {}.", operation, spoken),
-      out + marks + names);
 }
 
 std::string hard_picture(const Looks& looks, const std::vector<HardCase>& cases) {

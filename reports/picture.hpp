@@ -1,6 +1,7 @@
 #pragma once
 // Pictures as SVG, drawn when the page is written: they need no script, and the browser colours them as the page.
 
+#include <algorithm>
 #include <reports/cost_points.hpp>
 #include <reports/regions.hpp>
 #include <string>
@@ -9,9 +10,8 @@
 namespace liecheck::reports {
 
 /// The look of each library, the same one everywhere: a place in the colours --look-0 ... of page.css and in the markers
-/// below. First those of the results, then those of the times only.
+/// of drawing.hpp. First those of the results, then those of the times only.
 std::map<std::string, std::size_t> looks_of(const Merged& merged);
-inline constexpr std::size_t look_count = 11;
 
 /// A piece of line with the marker of a library.
 std::string swatch(std::size_t look);
@@ -23,18 +23,24 @@ struct Looks {
   std::map<std::string, std::size_t> of;
   std::set<std::pair<std::string, std::string>> wrong;  ///< subject and operation, if a row of them fails
   explicit Looks(const Merged& all);
+  /// Whether the operation of a library fails.
+  bool is_wrong(const std::string& operation) const {
+    return std::ranges::any_of(wrong, [&](const auto& one) { return one.second == operation; });
+  }
 };
 
 /// What the first screen says: on each library, and on each question. All texts are HTML.
 struct FirstScreen {
   struct Line {
-    std::string subject, kind, mark, words;  ///< kind: pass, fail or open
+    std::string subject, kind, mark,
+        words;             ///< kind: pass, edge (wrong at extreme angles alone), fail or open
+    std::string headline;  ///< of a page of this library alone
   };
   struct Question {
     std::string id, to, words, answer;                          ///< `to`: the section with the details
     std::vector<std::pair<std::string, std::string>> pictures;  ///< head and SVG
   };
-  std::string verdict, title;
+  std::string kind, title;  ///< kind of the title: pass, edge, fail or incomplete
   std::vector<Line> lines;
   std::vector<Question> questions;
 };

@@ -13,10 +13,16 @@ std::size_t region_of(const Json& row) {
   const auto& band = row["band"].get_ref<const std::string&>();
   const double low = row["low"].is_number() ? row["low"].get<double>() : 0,
                high = row["high"].is_number() ? row["high"].get<double>() : 0;
-  if (row["axis"] == "theta") return high <= 1.001e-7 ? 0 : high <= 1.001e-2 ? 1 : 2;
+  if (row["axis"] == "theta") return high <= 1.001e-8 ? 0 : high <= 1.001e-2 ? 1 : 2;
   if (band.starts_with("generic")) return 2;
-  if (row["axis"] == "pi_minus_theta") return low >= 0.999e-7 ? 3 : 4;
+  if (row["axis"] == "pi_minus_theta") return low >= 0.999e-8 ? 3 : 4;
   return band == "beyond pi" || band == "near 2pi k" || band == "huge" ? 5 : 6;
+}
+
+bool is_ordinary(const Json& row) {
+  if (row["axis"] == "none") return row["band"] != "near 2pi k" && row["band"] != "huge";
+  const double low = row["low"].get<double>(), high = row["high"].get<double>();
+  return low >= 0.999e-8 || (row["axis"] == "theta" ? high == 0 : low == 0);
 }
 
 std::string outcome_of(const Json& row) {
@@ -56,6 +62,9 @@ std::string Digits::words(const Json& row) const {
 std::vector<HardCase> hard_cases(const Merged& merged) {
   std::vector<HardCase> all;
   std::map<std::array<std::string, 3>, std::size_t> places;
+  std::set<std::string> extreme;  // bands
+  for (const Json& row : merged.results)
+    if (!is_ordinary(row)) extreme.insert(row["band"]);
   for (const Json& record : merged.records)
     for (const Json& hard : list_in(record, "hard_cases"))
       for (const Json& cell : hard["cells"]) {
@@ -67,8 +76,9 @@ std::vector<HardCase> hard_cases(const Merged& merged) {
             std::ranges::find(hard_verdicts, cell["verdict"].get_ref<const std::string&>()) -
             hard_verdicts.begin());
         const bool failed = cell["failed"].get<bool>();
-        if (std::pair(failed, verdict) > std::pair(c.failed, c.verdict))
-          c.failed = failed, c.verdict = verdict;
+        if (failed && !extreme.contains(cell["band"])) c.ordinary = true;
+        if (is_new || std::pair(failed, verdict) > std::pair(c.failed, c.verdict))
+          c.failed = failed, c.verdict = verdict, c.operation = cell["operation"], c.block = cell["block"];
       }
   return all;
 }

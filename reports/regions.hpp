@@ -13,16 +13,21 @@ namespace liecheck::reports {
 struct Region {
   std::string_view key, name, brief;
 };
-inline constexpr std::array<Region, 7> regions = {{{"zero", "θ < 10⁻⁷", "≈ 0"},
-                                                   {"small", "θ 10⁻⁷…10⁻²", "small"},
+/// The angles below 10⁻⁸ and within 10⁻⁸ of π are extreme, except 0 and π: is_ordinary().
+inline constexpr std::array<Region, 7> regions = {{{"zero", "θ < 10⁻⁸", "≈ 0"},
+                                                   {"small", "θ 10⁻⁸…10⁻²", "small"},
                                                    {"moderate", "θ 10⁻²…π−1", "middle"},
-                                                   {"near-pi", "π − θ 10⁻⁷…1", "< π"},
-                                                   {"pi", "π − θ < 10⁻⁷", "≈ π"},
+                                                   {"near-pi", "π − θ 10⁻⁸…1", "< π"},
+                                                   {"pi", "π − θ < 10⁻⁸", "≈ π"},
                                                    {"beyond", "θ > π", "> π"},
                                                    {"all", "without angle", "no θ"}}};
 
 /// The place in `regions` of the band of a row.
 std::size_t region_of(const Json& row);
+
+/// Whether the band of a row has inputs that people meet: angles of 1e-8 to 2 pi that are no closer than 1e-8 to pi, 0, pi, and
+/// inputs without an angle. Findings weigh these first.
+bool is_ordinary(const Json& row);
 
 /// Larger is worse: failing rows first, then by outcome, then by the digits lost.
 double severity(const Json& row);
@@ -53,8 +58,10 @@ inline constexpr std::array<std::string_view, 9> hard_verdicts = {"stable",     
 /// A hard case of one subject in one scalar. The worst of its laws counts.
 struct HardCase {
   std::string name, of_class, subject, scalar;
-  std::size_t verdict = 0;  ///< place in hard_verdicts
+  std::string operation{}, block{};  ///< those that determine the verdict
+  std::size_t verdict = 0;           ///< place in hard_verdicts
   bool failed = false;
+  bool ordinary = false;  ///< whether it fails at an ordinary angle
 };
 std::vector<HardCase> hard_cases(const Merged& merged);
 

@@ -36,10 +36,7 @@ std::string sweep_section(const Merged& merged) {
          "decimal", "from θ [eps]", "reason of the documented bound"},
         rows, true);
   }
-  return out.empty()
-             ? "<p>These records hold no sweep: <code>liecheck report</code> without a record runs "
-               "one where <code>liecheck-lab</code> is built, as does <code>liecheck lab sweep</code>.</p>\n"
-             : out;
+  return out;
 }
 
 std::string bounds_section(const Merged& merged) {
@@ -64,10 +61,7 @@ std::string bounds_section(const Merged& merged) {
                   "status", "proved for", "largest bound at", "boxes"},
                  rows, true);
   }
-  return out.empty() ? "<p>These records hold no proofs: <code>liecheck report</code> without a record makes "
-                       "them where <code>liecheck-lab</code> is built, as does <code>liecheck lab "
-                       "bounds</code>.</p>\n"
-                     : out;
+  return out;
 }
 
 }  // namespace liecheck::reports

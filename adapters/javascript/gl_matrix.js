@@ -1,7 +1,7 @@
 // gl-matrix: quat, mat3, mat4 and vec3. Quaternions are x, y, z, w, matrices column by column. A function writes to
 // an array that the caller gives, and so computes in float or double.
 const {glMatrix, mat3, mat4, quat, vec3} = require("gl-matrix");
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 glMatrix.setMatrixArrayType(Array);  // of the arrays that gl-matrix makes itself
 
@@ -33,36 +33,36 @@ ${call}`;
 const print = "console.log(...A.from(quat.ln(new A(4), Q)).slice(0, 3).map(x => 2 * x));";
 
 serve("gl-matrix", ["float", "double"], {
-  exp3_quaternion: [phi => exp3_quaternion(phi, like(phi, 4)), 3, 4,
+  exp3_quaternion: [phi => exp3_quaternion(phi, like(phi, 4)),
     program("console.log(...quat.exp(new A(4), A.of(...A.of({phi}).map(x => x / 2), 0)));")],
-  exp3_matrix: [phi => columns(mat3.fromQuat(like(phi, 9), exp3_quaternion(phi, like(phi, 4)))), 3, 9,
+  exp3_matrix: [phi => columns(mat3.fromQuat(like(phi, 9), exp3_quaternion(phi, like(phi, 4)))),
     program("const Q = quat.exp(new A(4), A.of(...A.of({phi}).map(x => x / 2), 0));\nconsole.log(...mat3.transpose(new A(9), mat3.fromQuat(new A(9), Q)));")],
-  log3_quaternion: [log3_quaternion, 4, 3,
+  log3_quaternion: [log3_quaternion,
     program("const Q = A.of({Q}).map((x, i, q) => q[3] < 0 ? -x : x);\n" + print)],
-  log3_matrix: [R => log3_quaternion(quat.fromMat3(like(R, 4), columns(R))), 9, 3,
+  log3_matrix: [R => log3_quaternion(quat.fromMat3(like(R, 4), columns(R))),
     program(`const q = quat.fromMat3(new A(4), mat3.transpose(new A(9), A.of({R})));\nconst Q = q.map(x => q[3] < 0 ? -x : x);\n${print}`)],
-  compose: [x => pose(mat4.multiply(like(x, 16), matrix(x.slice(0, 12)), matrix(x.slice(12)))), 24, 12],
-  inverse: [x => pose(mat4.invert(like(x, 16), matrix(x))), 12, 12],
-  act_point: [x => vec3.transformMat4(like(x, 3), x.slice(12), matrix(x)), 15, 3],
-  rotate_point: [x => vec3.transformQuat(like(x, 3), x.slice(4), x.slice(0, 4)), 7, 3],
-  normalize: [Q => quat.normalize(like(Q, 4), Q), 4, 4, program("console.log(...quat.normalize(new A(4), A.of({Q})));")],
-  relative_angle: [x => [quat.getAngle(x.slice(0, 4), x.slice(4))], 8, 1,
+  compose: x => pose(mat4.multiply(like(x, 16), matrix(x.slice(0, 12)), matrix(x.slice(12)))),
+  inverse: x => pose(mat4.invert(like(x, 16), matrix(x))),
+  act_point: x => vec3.transformMat4(like(x, 3), x.slice(12), matrix(x)),
+  rotate_point: x => vec3.transformQuat(like(x, 3), x.slice(4), x.slice(0, 4)),
+  normalize: [Q => quat.normalize(like(Q, 4), Q), program("console.log(...quat.normalize(new A(4), A.of({Q})));")],
+  relative_angle: [x => [quat.getAngle(x.slice(0, 4), x.slice(4))],
     program("console.log(quat.getAngle(A.of({Q0}), A.of({Q1})));")],
-  slerp: [x => quat.slerp(like(x, 4), x.slice(0, 4), x.slice(4, 8), x[8]), 9, 4,
+  slerp: [x => quat.slerp(like(x, 4), x.slice(0, 4), x.slice(4, 8), x[8]),
     program("console.log(...quat.slerp(new A(4), A.of({Q0}), A.of({Q1}), {t}));")],
-  rotation_between: [x => quat.rotationTo(like(x, 4), x.slice(0, 3), x.slice(3)), 6, 4,
+  rotation_between: [x => quat.rotationTo(like(x, 4), x.slice(0, 3), x.slice(3)),
     program("console.log(...quat.rotationTo(new A(4), A.of({a}), A.of({b})));")],
-  quaternion_from_matrix: [R => quat.fromMat3(like(R, 4), columns(R)), 9, 4,
+  quaternion_from_matrix: [R => quat.fromMat3(like(R, 4), columns(R)),
     program("console.log(...quat.fromMat3(new A(4), mat3.transpose(new A(9), A.of({R}))));")],
-  matrix_from_quaternion: [Q => columns(mat3.fromQuat(like(Q, 9), Q)), 4, 9,
+  matrix_from_quaternion: [Q => columns(mat3.fromQuat(like(Q, 9), Q)),
     program("console.log(...mat3.transpose(new A(9), mat3.fromQuat(new A(9), A.of({Q}))));")],
-  quaternion_product: [x => quat.multiply(like(x, 4), x.slice(0, 4), x.slice(4)), 8, 4],
-  quaternion_inverse: [Q => quat.invert(like(Q, 4), Q), 4, 4],
-  axis_angle_from_quaternion: [axis_angle_from_quaternion, 4, 4,
+  quaternion_product: x => quat.multiply(like(x, 4), x.slice(0, 4), x.slice(4)),
+  quaternion_inverse: Q => quat.invert(like(Q, 4), Q),
+  axis_angle_from_quaternion: [axis_angle_from_quaternion,
     program("const axis = new A(3), angle = quat.getAxisAngle(axis, A.of({Q}));\nconsole.log(...axis, angle);")],
-  quaternion_from_axis_angle: [x => quat.setAxisAngle(like(x, 4), x.slice(0, 3), x[3]), 4, 4],
-  angle_between: [x => [vec3.angle(x.slice(0, 3), x.slice(3))], 6, 1,
+  quaternion_from_axis_angle: x => quat.setAxisAngle(like(x, 4), x.slice(0, 3), x[3]),
+  angle_between: [x => [vec3.angle(x.slice(0, 3), x.slice(3))],
     program("console.log(require(\"gl-matrix\").vec3.angle(A.of({a}), A.of({b})));")],
-  slerp_directions: [x => vec3.slerp(like(x, 3), x.slice(0, 3), x.slice(3, 6), x[6]), 7, 3,
+  slerp_directions: [x => vec3.slerp(like(x, 3), x.slice(0, 3), x.slice(3, 6), x[6]),
     program("console.log(...require(\"gl-matrix\").vec3.slerp(new A(3), A.of({a}), A.of({b}), {t}));")],
 });

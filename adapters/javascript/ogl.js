@@ -1,5 +1,5 @@
 // OGL: Quat, Vec3 and Mat4, in double. Quaternions are x, y, z, w, matrices column by column.
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 import("ogl").then(({Mat3, Mat4, Quat, Vec3}) => {
   const matrix = X => new Mat4(X[0], X[3], X[6], 0, X[1], X[4], X[7], 0, X[2], X[5], X[8], 0, X[9], X[10], X[11], 1);
@@ -10,15 +10,15 @@ import("ogl").then(({Mat3, Mat4, Quat, Vec3}) => {
   const program = call => `import("ogl").then(({Mat4, Quat, Vec3}) => {\n${call}\n});`;
 
   serve("ogl", ["double"], {
-    exp3_quaternion: [phi => numbers(new Quat().fromAxisAngle(...axisAngle(phi))), 3, 4, program(
+    exp3_quaternion: [phi => numbers(new Quat().fromAxisAngle(...axisAngle(phi))), program(
       "const v = new Vec3({phi}), angle = v.len(), q = new Quat().fromAxisAngle(v.normalize(), angle);\nconsole.log(q.x, q.y, q.z, q.w);")],
-    compose: [x => pose(matrix(x).multiply(matrix(x.subarray(12)))), 24, 12],
-    inverse: [x => pose(matrix(x).inverse()), 12, 12],
-    act_point: [x => [...vector(x, 12).applyMatrix4(matrix(x))], 15, 3],
-    rotate_point: [x => [...vector(x, 4).applyQuaternion(new Quat(x[0], x[1], x[2], x[3]))], 7, 3],
-    normalize: [Q => numbers(new Quat(...Q).normalize()), 4, 4, program(
+    compose: x => pose(matrix(x).multiply(matrix(x.subarray(12)))),
+    inverse: x => pose(matrix(x).inverse()),
+    act_point: x => [...vector(x, 12).applyMatrix4(matrix(x))],
+    rotate_point: x => [...vector(x, 4).applyQuaternion(new Quat(x[0], x[1], x[2], x[3]))],
+    normalize: [Q => numbers(new Quat(...Q).normalize()), program(
       "const q = new Quat({Q}).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
-    slerp: [x => numbers(new Quat(...x.slice(0, 4)).slerp(new Quat(...x.slice(4, 8)), x[8])), 9, 4, program(
+    slerp: [x => numbers(new Quat(...x.slice(0, 4)).slerp(new Quat(...x.slice(4, 8)), x[8])), program(
       "const q = new Quat({Q0}).slerp(new Quat({Q1}), {t});\nconsole.log(q.x, q.y, q.z, q.w);")],
   });
 });

@@ -1,6 +1,6 @@
 // quaternion.js: Quaternion, in double. Its numbers are w, x, y, z; matrices are rows.
 const {Quaternion} = require("quaternion");
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 const of = ([x, y, z, w]) => new Quaternion(w, x, y, z);
 const numbers = q => [q.x, q.y, q.z, q.w];
@@ -22,24 +22,24 @@ function twice(q) {
 }
 
 serve("quaternion", ["double"], {
-  exp3_quaternion: [phi => numbers(exp(phi)), 3, 4, program(
+  exp3_quaternion: [phi => numbers(exp(phi)), program(
     "const q = new Quaternion(0, ...[{phi}].map(x => x / 2)).exp();\nconsole.log(q.x, q.y, q.z, q.w);")],
-  exp3_matrix: [phi => exp(phi).toMatrix(), 3, 9, program(
+  exp3_matrix: [phi => exp(phi).toMatrix(), program(
     "const q = new Quaternion(0, ...[{phi}].map(x => x / 2)).exp();\nconsole.log(...q.toMatrix());")],
-  log3_quaternion: [Q => twice(nearer(Q)), 4, 3, program(
+  log3_quaternion: [Q => twice(nearer(Q)), program(
     "const [x, y, z, w] = [{Q}].map((a, i, Q) => Q[3] < 0 ? -a : a);\nconst q = new Quaternion(w, x, y, z);\n" + log)],
-  log3_matrix: [R => twice(nearer(numbers(Quaternion.fromMatrix([...R])))), 9, 3, program(
+  log3_matrix: [R => twice(nearer(numbers(Quaternion.fromMatrix([...R])))), program(
     "const r = Quaternion.fromMatrix([{R}]), q = r.w < 0 ? r.neg() : r;\n" + log)],
-  rotate_point: [x => of(x).rotateVector([...x.slice(4)]), 7, 3, program(
+  rotate_point: [x => of(x).rotateVector([...x.slice(4)]), program(
     "const [x, y, z, w] = [{Q}];\nconsole.log(...new Quaternion(w, x, y, z).rotateVector([{p}]));")],
-  normalize: [Q => numbers(of(Q).normalize()), 4, 4, program(
+  normalize: [Q => numbers(of(Q).normalize()), program(
     "const [x, y, z, w] = [{Q}];\nconst q = new Quaternion(w, x, y, z).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
-  slerp: [x => numbers(of(x).slerp(of(x.subarray(4)))(x[8])), 9, 4, program(
+  slerp: [x => numbers(of(x).slerp(of(x.subarray(4)))(x[8])), program(
     "const of = (x, y, z, w) => new Quaternion(w, x, y, z);\nconst q = of({Q0}).slerp(of({Q1}))({t});\nconsole.log(q.x, q.y, q.z, q.w);")],
-  rotation_between: [x => numbers(Quaternion.fromVectors([...x.slice(0, 3)], [...x.slice(3)])), 6, 4, program(
+  rotation_between: [x => numbers(Quaternion.fromVectors([...x.slice(0, 3)], [...x.slice(3)])), program(
     "const q = Quaternion.fromVectors([{a}], [{b}]);\nconsole.log(q.x, q.y, q.z, q.w);")],
   // The angles in the order of the axes, which are those of the body.
-  euler_to_quaternion: [x => numbers(Quaternion.fromEuler(x[1], x[2], x[3], orderOf(x[0]))), 4, 4],
-  euler_from_quaternion: [x => of(x.subarray(1)).toEuler(orderOf(x[0])), 5, 3, program(
+  euler_to_quaternion: x => numbers(Quaternion.fromEuler(x[1], x[2], x[3], orderOf(x[0]))),
+  euler_from_quaternion: [x => of(x.subarray(1)).toEuler(orderOf(x[0])), program(
     `const [x, y, z, w] = [{Q}], order = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][({order} - 1) / 2];\nconsole.log(...new Quaternion(w, x, y, z).toEuler(order));`)],
 });

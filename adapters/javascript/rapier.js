@@ -2,7 +2,7 @@
 // it adds first-order increments, of at most pi/4 together. What is measured is where a collider is that sits at p in a
 // body with the orientation Q.
 const rapier = require("@dimforge/rapier3d-compat");
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 rapier.init().then(() => {
   const world = new rapier.World({x: 0, y: 0, z: 0});
@@ -17,5 +17,5 @@ rapier.init().then(() => {
     return [p.x, p.y, p.z];
   }
 
-  serve("@dimforge/rapier3d-compat", ["float"], {rotate_point: [rotate_point, 7, 3]});
+  serve("@dimforge/rapier3d-compat", ["float"], {rotate_point});
 });

@@ -1,6 +1,6 @@
 // Not a library: forms without a threshold, an acos or a cancellation, which the findings of the league propose.
 // Each function is a program of its own.
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 function exp3_quaternion([x, y, z]) {
   const theta = Math.hypot(x, y, z), s = theta > 0 ? Math.sin(theta / 2) / theta : 0.5;
@@ -59,16 +59,16 @@ function rotation_between(x) {
 }
 
 const program = (f, ...places) => `const f = ${f};\nconsole.log(...f([${places.map(p => `{${p}}`).join(", ")}]));`;
-const own = (f, size, results, ...places) => [x => f(Array.from(x)), size, results, program(f, ...places)];
+const own = (f, ...places) => [x => f(Array.from(x)), program(f, ...places)];
 
 serve("repaired_js", ["double", "float"], {
-  exp3_quaternion: own(exp3_quaternion, 3, 4, "phi"),
-  exp3_matrix: own(exp3_matrix, 3, 9, "phi"),
-  log3_quaternion: own(log3_quaternion, 4, 3, "Q"),
-  log3_matrix: own(log3_matrix, 9, 3, "R"),
-  normalize: own(normalize, 4, 4, "Q"),
-  rotate_point: own(rotate_point, 7, 3, "Q", "p"),
-  relative_angle: own(relative_angle, 8, 1, "Q0", "Q1"),
-  slerp: own(slerp, 9, 4, "Q0", "Q1", "t"),
-  rotation_between: own(rotation_between, 6, 4, "a", "b"),
+  exp3_quaternion: own(exp3_quaternion, "phi"),
+  exp3_matrix: own(exp3_matrix, "phi"),
+  log3_quaternion: own(log3_quaternion, "Q"),
+  log3_matrix: own(log3_matrix, "R"),
+  normalize: own(normalize, "Q"),
+  rotate_point: own(rotate_point, "Q", "p"),
+  relative_angle: own(relative_angle, "Q0", "Q1"),
+  slerp: own(slerp, "Q0", "Q1", "t"),
+  rotation_between: own(rotation_between, "a", "b"),
 });

@@ -1,7 +1,7 @@
 // wgpu-matrix: quat, mat3, mat4 and vec3, in float, and those with the letter d, in double. Quaternions are x, y, z, w,
 // matrices column by column, those of 3 x 3 with a fourth number in each column.
 const all = require("wgpu-matrix");
-const {serve} = require("./liecheck_protocol.js");
+const {serve} = require("./library.js");
 
 const of = x => x instanceof Float32Array
   ? {mat3: all.mat3, mat4: all.mat4, quat: all.quat, vec3: all.vec3}
@@ -26,20 +26,20 @@ ${call}`;
 const print = "const {angle, axis} = quat.toAxisAngle(q[3] < 0 ? q.map(x => -x) : q);\nconsole.log(...[...axis].map(x => angle * x));";
 
 serve("wgpu-matrix", ["float", "double"], {
-  exp3_quaternion: [exp, 3, 4, program("const v = A.of({phi});\nconsole.log(...quat.fromAxisAngle(vec3.normalize(v), vec3.length(v)));")],
-  exp3_matrix: [phi => rows(of(phi).mat3.fromQuat(exp(phi))), 3, 9],
-  log3_quaternion: [log, 4, 3, program("const q = A.of({Q});\n" + print)],
-  log3_matrix: [R => log(of(R).quat.fromMat(R.constructor.of(R[0], R[3], R[6], 0, R[1], R[4], R[7], 0, R[2], R[5], R[8], 0))), 9, 3, program(
+  exp3_quaternion: [exp, program("const v = A.of({phi});\nconsole.log(...quat.fromAxisAngle(vec3.normalize(v), vec3.length(v)));")],
+  exp3_matrix: phi => rows(of(phi).mat3.fromQuat(exp(phi))),
+  log3_quaternion: [log, program("const q = A.of({Q});\n" + print)],
+  log3_matrix: [R => log(of(R).quat.fromMat(R.constructor.of(R[0], R[3], R[6], 0, R[1], R[4], R[7], 0, R[2], R[5], R[8], 0))), program(
     "const R = A.of({R});\nconst q = quat.fromMat(mat3.create(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]));\n" + print)],
-  compose: [x => pose(of(x).mat4.multiply(matrix(x.slice(0, 12)), matrix(x.slice(12)))), 24, 12],
-  inverse: [x => pose(of(x).mat4.inverse(matrix(x))), 12, 12],
-  act_point: [x => of(x).vec3.transformMat4(x.slice(12), matrix(x)), 15, 3],
-  rotate_point: [x => of(x).vec3.transformQuat(x.slice(4), x.slice(0, 4)), 7, 3],
-  normalize: [Q => of(Q).quat.normalize(Q), 4, 4, program("console.log(...quat.normalize(A.of({Q})));")],
-  relative_angle: [x => [of(x).quat.angle(x.slice(0, 4), x.slice(4))], 8, 1, program(
+  compose: x => pose(of(x).mat4.multiply(matrix(x.slice(0, 12)), matrix(x.slice(12)))),
+  inverse: x => pose(of(x).mat4.inverse(matrix(x))),
+  act_point: x => of(x).vec3.transformMat4(x.slice(12), matrix(x)),
+  rotate_point: x => of(x).vec3.transformQuat(x.slice(4), x.slice(0, 4)),
+  normalize: [Q => of(Q).quat.normalize(Q), program("console.log(...quat.normalize(A.of({Q})));")],
+  relative_angle: [x => [of(x).quat.angle(x.slice(0, 4), x.slice(4))], program(
     "console.log(quat.angle(A.of({Q0}), A.of({Q1})));")],
-  slerp: [x => of(x).quat.slerp(x.slice(0, 4), x.slice(4, 8), x[8]), 9, 4, program(
+  slerp: [x => of(x).quat.slerp(x.slice(0, 4), x.slice(4, 8), x[8]), program(
     "console.log(...quat.slerp(A.of({Q0}), A.of({Q1}), {t}));")],
-  rotation_between: [x => of(x).quat.rotationTo(x.slice(0, 3), x.slice(3)), 6, 4, program(
+  rotation_between: [x => of(x).quat.rotationTo(x.slice(0, 3), x.slice(3)), program(
     "console.log(...quat.rotationTo(A.of({a}), A.of({b})));")],
 });

@@ -5,12 +5,14 @@
 #include <ctime>
 #include <filesystem>
 #include <league/findings.hpp>
+#include <league/found.hpp>
 #include <league/league.hpp>
 #include <league/measure.hpp>
 #include <nlohmann/json.hpp>
 #include <reports/league.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
+#include <support/folder.hpp>
 #include <support/json.hpp>
 #include <support/names.hpp>
 #include <support/own_process.hpp>
@@ -26,7 +28,7 @@ namespace {
 using nlohmann::json;
 
 struct Flags {
-  std::string question, out, record, adapters, before, after, adapter;
+  std::string question, out, record, adapters, before, after, adapter, found, library;
   bool run_recorded = false;
   RobotFlags robot;
   bool all = false;
@@ -158,16 +160,38 @@ int run(const Flags& f) {
 }
 
 int measure(const Flags& f) {
+  if (!f.found.empty()) {
+    say("{}\n", dumped(league::measured_found(f.found, f.library, f.adapter)));
+    return within_budget;
+  }
   league::MeasureOptions o = f.options;
   o.robot = f.robot.file, o.fixed = f.robot.root == "fixed";
   say("{}\n", dumped(league::measure(f.adapter, o)));
   return within_budget;
 }
 
+league::Trust trust_of(const Flags& f) {
+  return {league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters), f.record,
+          f.run_recorded};
+}
+
+/// Measures the defects of a record again, and writes the record and the page.
+int found(const Flags& f) {
+  const json record = league::read_found(f.record);
+  const league::Trust trust = trust_of(f);
+  stop_on_signals();
+  const league::FoundAgain again = league::found_again(record, trust, f.out);
+  if (stop_requested) return incomplete;
+  write_whole(file_in(f.out, "found.json"), dumped(again.record, 1) + "\n");
+  write_whole(file_in(f.out, "found.md"), league::found_page(again.record));
+  say_text(again.text);
+  return again.same ? within_budget : property_failed;
+}
+
 int findings(const Flags& f) {
+  if (league::is_found(f.record)) return found(f);
   const json record = league::read_league(f.record);
-  const league::Trust trust{league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters),
-                            f.record, f.run_recorded};
+  const league::Trust trust = trust_of(f);
   stop_on_signals();
   say_text(league::write_findings(record, trust, f.out).text);
   return stop_requested ? incomplete : within_budget;
@@ -203,6 +227,9 @@ Command league_measure_command(CLI::App& league) {
                        "measure one library and print its part of the record, for the command league");
   a.text("ADAPTER", a->adapter, "", "as --adapter of a campaign takes it").required();
   a.text("--limits", a->options.limits, "FILE", "a limits file whose expected failures do not count");
+  const Flag library = a.text("--library", a->library, "NAME", "of the defects of --found, the library");
+  a.text("--found", a->found, "FILE", "measure the defects of fixtures/league/found.json instead")
+      .needs(library);
   a.number("--cases", a->options.cases, 1, 100000000, "cases of each law and scalar");
   a.seed(a->options.seed, "seed of the cases");
   a.jobs(a->options.jobs);
@@ -213,9 +240,13 @@ Command league_measure_command(CLI::App& league) {
 Command league_findings_command(CLI::App& league) {
   CommandWith<Flags> a(
       league, "findings",
-      "run the program of each failing cell of a record, and write a Markdown file for each defect "
-      "that its output confirms. Exit code 0; 2 for bad input; 3 if stopped");
-  a.text("RECORD", a->record, "FILE", "the record that league --record wrote").required();
+      "run the program of each failing cell of a record, and write a Markdown file for each defect that its "
+      "output confirms. Exit code 0; 1 if a defect of fixtures/league/found.json is another one now; 2 for "
+      "bad input; 3 if stopped");
+  a.text("RECORD", a->record, "FILE",
+         "the record that league --record wrote; or fixtures/league/found.json, to measure its defects again "
+         "and write their page, found.md")
+      .required();
   a.text("--out", a->out, "DIR", "folder of the findings").required();
   a.text("--adapters", a->adapters, "FILE.json",
          "list of adapters, whose commands the record must have; default: the one that the build wrote");

@@ -15,7 +15,7 @@ const Program lab_program_of_authors{
       c.add({list_command, campaign, replay_command, hard_cases_command, hunt_command, promise_command,
              completion_command});
       // The program runs itself with `adapter serve`, to call a shared library in a process of its own.
-      c.add_group("adapter", "check the adapter of a library from outside: docs/adapters.md",
+      c.add_group("adapter", "check the adapter of a library from outside: docs/start.md",
                   {adapter_check_command, adapter_serve_command});
       c.heading("what the laws find, and whom they accuse");
       c.add({bugs_command, history_command, lattice_command, limits_command});

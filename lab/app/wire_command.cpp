@@ -123,7 +123,7 @@ Command wire_command(CLI::App& lab) {
       "each adapter that offers it, in turns, and the ratio of both: the best and the median of the rounds. "
       "Exit code 0; 1 if a result "
       "failed; 2 for bad input; 3 if stopped");
-  a.list("--adapter", a->adapters, "ADAPTER", "a command, or a shared library (docs/adapters.md), repeatable")
+  a.list("--adapter", a->adapters, "ADAPTER", "a command, or a shared library (docs/start.md), repeatable")
       .required();
   a.number("--rounds", a->rounds, 1, 1000, "how often all rows are measured");
   a.duration("--for-each", a->seconds, "how long each round of a row takes; default 0.5s");

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <league/explanations.hpp>
+#include <league/programs.hpp>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,7 +21,6 @@
 #include <support/own_process.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
-#include <tuple>
 
 namespace liecheck::properties::league {
 
@@ -30,15 +28,6 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-/// How a program of a language ends its file's name.
-std::string suffix(const std::string& language) {
-  static const std::map<std::string, std::string> all = {{"C++", ".cpp"},   {"C", ".c"},
-                                                         {"Python", ".py"}, {"JavaScript", ".js"},
-                                                         {"Octave", ".m"},  {"Perl", ".pl"}};
-  const auto at = all.find(language);
-  return at == all.end() ? ".txt" : at->second;
-}
 
 /// The program in the text of a failure, without its heading; empty if there is none. What `replay` prints has a
 /// program for each block of each operation: then it is one of the operation.
@@ -81,35 +70,6 @@ std::string line_of(const std::string& text, const std::string& name) {
   return from == text.npos ? "" : text.substr(from, text.find('\n', from) - from);
 }
 
-struct Output {
-  std::string text;
-  int code = 0;
-};
-
-/// Runs the shell command for at most a minute. The text is what it writes to standard output.
-Output output_of(const std::string& command) {
-  FILE* const pipe =
-      ::popen(("timeout 60 /bin/sh -c " + shell_quoted(command) + " 2>/dev/null").c_str(), "r");
-  if (!pipe) throw std::runtime_error("a shell cannot be started");
-  Output out;
-  std::array<char, 4096> part;
-  for (std::size_t n; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
-    out.text.append(part.data(), n);
-  out.code = ::pclose(pipe);
-  return out;
-}
-
-/// Whether the output has every number that the adapter returned.
-bool confirms(const std::string& output, const std::vector<double>& returned, bool in_float) {
-  const auto printed = numbers_in(output);
-  const double tolerance = in_float ? 1e-6 : 1e-14;  // of what is printed with too few digits
-  return !returned.empty() && std::ranges::all_of(returned, [&](double x) {
-    return std::ranges::any_of(printed, [&](double y) {
-      return x == y || (std::isnan(x) && std::isnan(y)) || std::fabs(x - y) <= tolerance * std::fabs(x);
-    });
-  });
-}
-
 /// What `liecheck replay` prints for the same input with another subject, which an adapter offers; "" if it cannot.
 std::string replay_of(const std::string& replay, const std::string& subject, const std::string& adapter) try {
   const auto at = replay.find("replay ");
@@ -128,33 +88,6 @@ std::string replay_of(const std::string& replay, const std::string& subject, con
       .value_or("");
 } catch (const std::exception&) {
   return "";
-}
-
-/// The command that runs a program of the library in the file, and that command as a reader sees it.
-std::pair<std::string, std::string> commands(const json& library, const fs::path& file) {
-  std::string command = library["run"], shown = command;
-  for (const auto& [place, with, name] :
-       {std::tuple<std::string, std::string, std::string>{"{file}", fs::absolute(file).string(),
-                                                          file.filename().string()},
-        {"{exe}", fs::absolute(file).string() + ".out", "./a.out"}}) {
-    for (auto at = command.find(place); at != command.npos; at = command.find(place, at + with.size() + 2))
-      command.replace(at, place.size(), shell_quoted(with));
-    for (auto at = shown.find(place); at != shown.npos; at = shown.find(place, at + name.size()))
-      shown.replace(at, place.size(), name);
-  }
-  return {command, shown};
-}
-
-/// Writes the program into the file, and runs it from a new folder, since languages import from that of a program.
-Output run_program(const json& library, const fs::path& file, const std::string& program) {
-  write_whole(file, program);
-  std::string folder = (fs::temp_directory_path() / "liecheck-XXXXXX").string();
-  if (!::mkdtemp(folder.data())) throw std::runtime_error(folder + ": cannot be created");
-  write_whole(folder / file.filename(), program);
-  Output out = output_of(commands(library, folder / file.filename()).first);
-  std::error_code error;
-  fs::remove_all(folder, error);
-  return out;
 }
 
 /// The row of the list with both commands of the library of a record; null if there is none.
@@ -219,14 +152,15 @@ std::string repaired(const json& record, const json& library, const json& cell, 
   if (program.empty()) return all;
   const fs::path file =
       file_in(stem.parent_path(), stem.filename().string() + "_repaired" + suffix((*form)["language"]));
-  const Output out = run_program(*form, file, program);
+  const Output out = run_program((*form)["run"], file, program);
   if (out.code != 0) return all;
   return all + fmt::format(
                    "\n{}\nRun as `{}`, on the same input:\n\n{}\nOn the cases of this "
                    "league, in "
                    "{}, it errs {}; {} itself {}. Both times are those of calls through an adapter.\n",
-                   markdown_block(program), commands(*form, file).second, markdown_block(out.text), scalar,
-                   figures(*cell_in(*form, operation, scalar)), markdown(library["name"]), figures(cell));
+                   markdown_block(program), commands((*form)["run"], file).second, markdown_block(out.text),
+                   scalar, figures(*cell_in(*form, operation, scalar)), markdown(library["name"]),
+                   figures(cell));
 }
 
 /// What the failure of a cell says of its error: the digits that the input shown loses, or the outcome.
@@ -296,7 +230,7 @@ std::string finding(const json& record, const json& library, const json& cell, c
       other && other != &cell && (*other)["failure"].is_object())
     all += " It also fails " + where_it_fails(*other) + ".";
   all += fmt::format("\n\n## Program\n\n{}\nRun as `{}`, it prints what the library does:\n\n{}\n",
-                     markdown_block(program), commands(library, file).second, markdown_block(output));
+                     markdown_block(program), commands(library["run"], file).second, markdown_block(output));
   all += fmt::format("## Input, expected and returned\n\n{}\n",
                      markdown_block(printable_lines(shown_case(text))));
   all += fmt::format(
@@ -309,24 +243,6 @@ std::string finding(const json& record, const json& library, const json& cell, c
 }
 
 }  // namespace
-
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> all;
-  std::string word;
-  const auto end_word = [&] {
-    char* end = nullptr;
-    const double x = std::strtod(word.c_str(), &end);
-    if (!word.empty() && *end == '\0') all.push_back(x);
-    word.clear();
-  };
-  for (const char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+')
-      word += c;
-    else
-      end_word();
-  end_word();
-  return all;
-}
 
 Confirmed write_findings(const json& record, const Trust& trust, const std::string& folder) {
   check_commands(record, trust);
@@ -364,7 +280,7 @@ Confirmed write_findings(const json& record, const Trust& trust, const std::stri
       stems.insert(stem + "_repaired");
       const fs::path file = file_in(folder, stem + suffix(library["language"])),
                      page = file_in(folder, stem + ".md");
-      const Output out = run_program(library, file, program);
+      const Output out = run_program(library["run"], file, program);
       if (out.code != 0 || !confirms(out.text, returned_in(text), scalar == "float")) {
         left_out(out.code ? "its program ends with an error"
                           : "its program prints other numbers than the adapter returned");

@@ -30,7 +30,4 @@ struct Trust {
 /// stop_requested.
 Confirmed write_findings(const nlohmann::json& record, const Trust& trust, const std::string& folder);
 
-/// The numbers in a text, in its order; words such as nan and inf are numbers, too.
-std::vector<double> numbers_in(const std::string& text);
-
 }  // namespace liecheck::properties::league

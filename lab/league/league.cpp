@@ -30,8 +30,7 @@ bool concerns(const std::string& question, const json& cell, const json& band) {
   if (question == "near-zero") return axis == "theta" && high <= 1.5e-3;
   if (question == "near-pi") return (axis == "pi_minus_theta" && high <= 1.5e-3) || name == "pi";
   if (question == "1e-8") return axis == "theta" && low <= 1e-8 && 1e-8 <= high;
-  const bool any_norm =
-      operation.ends_with("_any_norm") || operation == "normalize";
+  const bool any_norm = operation.ends_with("_any_norm") || operation == "normalize";
   return any_norm == (question == "off-unit");
 }
 

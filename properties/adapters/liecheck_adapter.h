@@ -3,7 +3,7 @@
  *
  *     liecheck campaign --adapter ./libmylib_adapter.so
  *
- * docs/adapters.md has the arguments and results of each operation, and an example. */
+ * docs/conventions.md has the arguments and results of each operation, docs/start.md an example. */
 #ifndef LIECHECK_ADAPTER_H
 #define LIECHECK_ADAPTER_H
 
@@ -73,7 +73,7 @@ struct liecheck_adapter {
   const char* (*reason)(void);
 
   /* Conventions in which the library differs from liecheck, which converts them: "quaternion: wxyz, twist: angular
-   * first". "pose form: quaternion" says that poses are (p, Q), of 7 numbers. docs/adapters.md has all. May be NULL. */
+   * first". "pose form: quaternion" says that poses are (p, Q), of 7 numbers. docs/conventions.md has all. May be NULL. */
   const char* conventions;
 
   /* Version 2 from here on. What is NULL is not offered. */

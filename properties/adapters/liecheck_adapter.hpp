@@ -11,7 +11,7 @@
 //
 // All arguments of an operation are in one span, one after the other, and so are all numbers of its result.
 // Functions that are not static belong to one object of the struct, which must have a default constructor. It may also have
-//     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/adapters.md has all
+//     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/conventions.md has all
 //                                       // with "pose form: quaternion", a pose is p, then Q: std::span<const double, 7>
 //     static constexpr bool thread_safe = true;           // several threads may call its functions at the same time
 //     static const char* source(std::string_view operation);                          // see liecheck_get_source()
@@ -33,7 +33,7 @@
 //     }
 //     static void write(const mylib::Vector& p, std::span<double, 3> out);
 //
-// docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
+// docs/conventions.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
 
 // Unlike #error, a header that is missing ends the compilation with this one line.

@@ -59,14 +59,14 @@ Command adapter_check_command(CLI::App& adapter) {
       "call each function of an adapter at moderate arguments, name the conventions in which it "
       "differs, and say in words what else is wrong with its answers. Exit code 0 if nothing is; 1 "
       "otherwise; 2 if it does not start");
-  a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/adapters.md").required();
+  a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/start.md").required();
   return a.runs(check);
 }
 
 Command adapter_serve_command(CLI::App& adapter) {
   CommandWith<AdapterCheckFlags> a(
       adapter, "serve", "call the functions of a shared library for the program that started this process");
-  a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/adapters.md").required();
+  a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/start.md").required();
   a.text("--memory", a->memory, "FILE", "memory of that program, in which it writes the calls").required();
   return a.runs(serve);
 }

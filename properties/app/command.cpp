@@ -84,7 +84,7 @@ std::vector<Flag> SelectionFlags::add_laws(Arguments& a) {
 
 Flag AdapterFlags::add(Arguments& a) {
   return a.list("--adapter", adapters, "ADAPTER",
-                "a library from outside: a command, or a shared library (docs/adapters.md), repeatable");
+                "a library from outside: a command, or a shared library (docs/start.md), repeatable");
 }
 
 std::vector<std::string> AdapterFlags::start() const {

@@ -8,7 +8,7 @@ const Program liecheck_program{
       const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
       c.heading("test your library");
       c.add({[&](CLI::App& parent) { return test_command(parent, typed_line); }, list_command});
-      c.add_group("adapter", "check the adapter of a library from outside: docs/adapters.md",
+      c.add_group("adapter", "check the adapter of a library from outside: docs/start.md",
                   {adapter_check_command, adapter_serve_command, adapter_tellings_command});
       c.add({campaign, replay_command, report_command, completion_command});
       c.heading("look closer");

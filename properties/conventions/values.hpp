@@ -9,7 +9,7 @@
 
 namespace liecheck::properties::conventions {
 
-/// The arguments or the result of an operation: consecutive numbers, in the order of docs/adapters.md.
+/// The arguments or the result of an operation: consecutive numbers, in the order of docs/conventions.md.
 using Numbers = std::vector<double>;
 
 enum class Kind {

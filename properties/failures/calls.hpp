@@ -8,7 +8,7 @@
 
 namespace liecheck::properties {
 
-/// One call. The numbers are consecutive, as docs/adapters.md orders them.
+/// One call. The numbers are consecutive, as docs/conventions.md orders them.
 struct NotedCall {
   const Operation* operation;
   std::vector<double> arguments, result;

@@ -140,7 +140,7 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "),
                                  how_bad(finding.own));
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
-                      finding.ordinary > 0 ? "" : "; no angle from 1e-8 to pi - 1e-8");
+                      finding.ordinary > 0 ? "" : "; all angles from 1e-8 to pi - 1e-8 pass");
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
                         finding.operation, domain);
@@ -161,9 +161,9 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
                         others.size() == 1 ? "fails" : "fail");
   text += example_of(first, campaign);
   if (!finding.hard_rows.empty())
-    text += fmt::format("   hard     {} of its hard cases {}, too: {}{}\n", finding.hard_rows.size(),
-                        finding.hard_rows.size() == 1 ? "fails" : "fail",
-                        finding.hard_rows.front()->entry->name, finding.hard_rows.size() > 1 ? ", ..." : "");
+    text += fmt::format("   hard     {} hard case{} of the same cause: {}{}\n", finding.hard_rows.size(),
+                        finding.hard_rows.size() == 1 ? "" : "s", finding.hard_rows.front()->entry->name,
+                        finding.hard_rows.size() > 1 ? ", ..." : "");
   return text;
 }
 

@@ -38,7 +38,7 @@ class Law {
  public:
   /// Registers the library when it is first named; a program may name four. Throws std::invalid_argument if the
   /// law does not exist, if the library offers none of its operations, or if it has other conventions than
-  /// liecheck; the message names them (docs/adapters.md). Not before main().
+  /// liecheck; the message names them (docs/conventions.md). Not before main().
   Law(const liecheck_adapter& library, const std::string& name);
   ~Law();
   Law(const Law&) = delete;

@@ -2,7 +2,7 @@
 // liecheck's laws in your own GoogleTest or RapidCheck program, one line each:
 //
 //     #include <liecheck_laws.hpp>
-//     struct MyLib { ... };                                    // as for an adapter: docs/adapters.md
+//     struct MyLib { ... };                                    // as for an adapter: docs/start.md
 //     LIECHECK_SUBJECT(MyLib, exp3_quaternion, log3_quaternion)
 //
 //     LIECHECK_PROPERTY(MyLib, exp_oracle)                     // RapidCheck: MyLibProperties.exp_oracle

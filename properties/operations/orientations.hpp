@@ -16,7 +16,7 @@ inline constexpr Value<type::Vector4> Q0{{"Q0", {{"Q0", 4, "1"}}, "from B to A"}
 inline constexpr Value<type::Vector3> axis{{"axis", {{"axis", 3, "1"}}, "B, of length 1"}},
     a{{"a", {{"a", 3, "1"}}, "A, of length 1"}}, b{{"b", {{"b", 3, "1"}}, "A, of length 1"}};
 inline constexpr Value<type::Scalar> fraction{{"t", {{"t", 1, "1"}}, "0 at Q0, 1 at Q1"}};
-/// Its number is that of EulerOrder::numbered: docs/adapters.md.
+/// Its number is that of EulerOrder::numbered: docs/conventions.md.
 inline constexpr Value<type::Scalar> order{{"order", {{"order", 1, "1"}}, "0 ... 23"}};
 inline constexpr Value<type::Vector3> angles{{"angles", {{"angles", 3, "rad"}}, "in the order of the axes"}};
 inline constexpr Value<type::Vector7> q_dot{

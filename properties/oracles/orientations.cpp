@@ -91,7 +91,7 @@ Slerp slerp(const Quaternion<>& Q0, const Quaternion<>& Q1, const Real& t) {
 }
 
 Order::Order(int number) {
-  // The sequences in the order of docs/adapters.md.
+  // The sequences in the order of docs/conventions.md.
   static const char* const sequences[12] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx",
                                             "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"};
   const char* const letters = sequences[number / 2];

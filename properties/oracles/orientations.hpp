@@ -43,7 +43,7 @@ struct Slerp {
 };
 Slerp slerp(const Quaternion<>& Q0, const Quaternion<>& Q1, const Real& t);
 
-/// Axes i, j, k of order 0 ... 23: docs/adapters.md.
+/// Axes i, j, k of order 0 ... 23: docs/conventions.md.
 struct Order {
   std::array<int, 3> axes;
   bool rotating;

@@ -92,7 +92,7 @@ const std::vector<Room> harness = {
     {"bounds", {"lib", "support", "budgets", "campaign", "hard_cases"}},
     {"league",
      {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
-      "campaign", "search", "failures", "tellings"}},
+      "campaign", "search", "hard_cases", "failures", "tellings"}},
     {"results",
      {"support", "oracles", "record", "history", "lattice", "coefficients", "bounds", "integrators"}},
     {"lab_app",

@@ -140,7 +140,8 @@ TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
 /// python3 and nodejs are among the packages of the tests.
 TEST(Adapters, TheExamplesAnswerAsTheyShould) {
   for (const std::string& command :
-       {"/usr/bin/python3 " + fixtures + "rotations.py", "node " + fixtures + "rotations.js",
+       {"/usr/bin/python3 " + fixtures + "rotations.py",
+        "node " + fixtures + "../../install/npm/package/adapter.js " + fixtures + "rotations.mjs",
         std::string("in-process:" LIECHECK_C_ADAPTER)}) {
     const auto adapter = start(command);
     const Checked checked = check(*adapter);

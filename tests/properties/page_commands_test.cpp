@@ -215,7 +215,7 @@ TEST(PageCommands, PartsOfProgramsCompile) {
               "struct Vector {\n  double x, y, z;\n};\nQuaternion exp(const std::array<double, 3>& phi);\n"
               "Vector rotate(const Quaternion& Q, const Vector& p);\n}\n");
   clone.write("parts.cpp",
-              block("docs/adapters.md", adapter) + batch +
+              block("docs/start.md", adapter) + batch +
                   "using namespace liecheck;\nbatch::Rows<double, 6> f(int n, batch::Rows<double, 7> q0, "
                   "batch::Rows<double, 6> result) {\n" +
                   replaced(block("docs/library.md", batch), batch, "") + "return result; }\n");

@@ -1,0 +1,203 @@
+// The words of the page: verdicts that weigh ordinary inputs, findings, the order of the table, sections without data.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <reports/cost_points.hpp>
+#include <reports/html.hpp>
+#include <reports/picture.hpp>
+#include <reports/verdicts.hpp>
+#include <support/files.hpp>
+#include <support/read_json.hpp>
+
+#include "sample_record.hpp"
+
+namespace {
+
+using namespace liecheck::reports;
+
+Json row_at(const char* axis, const char* band, double low, double high, double max_eps,
+            const char* operation = "exp6") {
+  Json all = row("mine", band, max_eps);
+  all["axis"] = axis, all["low"] = low, all["high"] = high, all["operation"] = operation;
+  return all;
+}
+
+Json ordinary(double max_eps, const char* operation = "exp6") {
+  return row_at("theta", "theta 1e-5..1e-4", 1e-5, 1e-4, max_eps, operation);
+}
+Json extreme(double max_eps, const char* operation = "exp6") {
+  return row_at("theta", "theta^2 underflows", 2.2e-308, 1.5e-154, max_eps, operation);
+}
+
+/// A record of the library "mine" alone, or of two libraries.
+Merged merged(std::vector<Json> rows, const Json& more = Json::object()) {
+  Json all = record();
+  all["subjects"][0]["name"] = "mine";
+  all["subjects"].erase(1);
+  all.update(more);
+  all.erase("results");
+  Merged whole;
+  whole.records.push_back(all), whole.results = std::move(rows);
+  return whole;
+}
+
+FirstScreen screen_of(const Merged& all) {
+  return first_screen(Looks(all));
+}
+
+TEST(Verdicts, OrdinaryAnglesAreThoseThatPeopleMeet) {
+  for (const auto& [axis, low, high] : {std::tuple("theta", 1e-8, 1e-7),
+                                        {"theta", 0., 0.},
+                                        {"pi_minus_theta", 1e-8, 1e-7},
+                                        {"pi_minus_theta", 0., 1e-15}})
+    EXPECT_TRUE(is_ordinary(row_at(axis, "b", low, high, 1))) << axis << low;
+  for (const auto& [axis, low, high] :
+       {std::tuple("theta", 1e-9, 1e-8), {"theta", 0., 1e-308}, {"pi_minus_theta", 1e-9, 1e-8}})
+    EXPECT_FALSE(is_ordinary(row_at(axis, "b", low, high, 1))) << axis << low;
+  EXPECT_TRUE(is_ordinary(row_at("none", "generic 1..pi-1", 1, 2.14, 1)));
+  EXPECT_TRUE(is_ordinary(row_at("none", "all", 0, 0, 1)));
+  EXPECT_FALSE(is_ordinary(row_at("none", "huge", 100, 0, 1)));
+  EXPECT_FALSE(is_ordinary(row_at("none", "near 2pi k", 6.2, 100, 1)));
+}
+
+TEST(Verdicts, ALibraryThatFailsAtExtremeAnglesAloneIsAccurateForOrdinaryInputs) {
+  const FirstScreen edge = screen_of(merged({extreme(1e15), ordinary(1)}));
+  EXPECT_EQ(edge.title, "mine is accurate for ordinary inputs; it is wrong at angles below 10⁻¹⁵⁴ rad");
+  EXPECT_EQ(edge.kind, "edge");
+  EXPECT_TRUE(has(edge.questions[0].answer, "Not near 0: 1 operation, only below 10⁻⁸. Right near π"));
+  const FirstScreen wrong = screen_of(merged({extreme(1e15, "log6"), ordinary(9)}));
+  EXPECT_EQ(wrong.title, "mine is wrong in 1 of 2 operations");
+  EXPECT_EQ(wrong.kind, "fail");
+  EXPECT_TRUE(has(wrong.lines[0].words, "</b>, and at extreme angles in 1 more"));
+}
+
+TEST(Verdicts, AHardCaseOfAnOrdinaryAngleMakesALibraryWrong) {
+  Json hard = hard_case("mine", "not finite");
+  const auto title = [&](const char* band) {
+    return screen_of(merged({extreme(1e15), ordinary(1)},
+                            {{"hard_cases", Json::array({with(hard, "/cells/0/band", band)})}}))
+        .title;
+  };
+  EXPECT_EQ(title("theta 1e-5..1e-4"), "mine is wrong on hard cases");
+  EXPECT_TRUE(title("theta^2 underflows").starts_with("mine is accurate for ordinary inputs"));
+}
+
+TEST(Verdicts, SayWhereTheInputDeterminesNothing) {
+  Merged all = merged({ordinary(1), extreme(1, "log6")});
+  all.records[0]["verdict"] = "pass";
+  EXPECT_TRUE(has(screen_of(all).lines[0].words, "in all 2 operations, at every angle."));
+  EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=p>15.7</i>"));
+  all.results[1]["status"] = "ill-posed";
+  EXPECT_TRUE(has(screen_of(all).lines[0].words, "wherever the input determines the result."));
+  EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=i>"));
+  EXPECT_FALSE(has(digits_table(Looks(all)), "<i class=o>"));
+}
+
+TEST(FirstScreen, ShowsNearZeroAndNearPiTheBlockThatFailsThere) {
+  const FirstScreen screen =
+      screen_of(merged({ordinary(1e9, "log6"), ordinary(1),
+                        row_at("pi_minus_theta", "pi-theta 1e-5..1e-4", 1e-5, 1e-4, 1, "log6"),
+                        row_at("pi_minus_theta", "pi-theta 1e-5..1e-4", 1e-5, 1e-4, 1e9)}));
+  ASSERT_EQ(screen.questions[0].pictures.size(), 2u);
+  EXPECT_EQ(screen.questions[0].pictures[0].first, "near 0: log6 (translation)");
+  EXPECT_EQ(screen.questions[0].pictures[1].first, "near π: exp6 (translation)");
+}
+
+Json finding(const std::string& text) {
+  return {{"subject", "mine"}, {"operation", "exp6"}, {"text", text}};
+}
+
+TEST(Findings, SayWhichInputsHeadingAndMarksAreOf) {
+  const Json both =
+      Json::array({finding("1  exp6 (translation): 3.0 of 15.7 digits lost in double\n   where    all\n")});
+  const char* note = "which the heading does not count: 14.0 of 15.7 digits lost there";
+  EXPECT_TRUE(
+      has(findings_section(Looks(merged({ordinary(1000), extreme(1e14)}, {{"findings", both}}))), note));
+  EXPECT_FALSE(has(findings_section(Looks(merged({ordinary(1000), extreme(1)}, {{"findings", both}}))),
+                   "the heading does not count"));
+}
+
+TEST(Findings, CountTheHardCasesOfTheirOperationApart) {
+  Json hard = Json::array();
+  for (const auto& [name, operation] :
+       {std::pair("a", "exp6"), {"b", "exp6"}, {"c", "log6"}, {"d", "act_point"}}) {
+    Json one = with(hard_case("mine", "not finite"), "/cells/0/operation", operation);
+    one["name"] = name;
+    hard.push_back(one);
+  }
+  const Json all =
+      Json::array({finding("1  exp6 (translation): bad\n   so       log6 fails in the same way\n"
+                           "   hard     3 hard cases of the same cause: a, ...\n")});
+  const std::string text =
+      findings_section(Looks(merged({ordinary(9)}, {{"findings", all}, {"hard_cases", hard}})));
+  EXPECT_TRUE(has(text, "2 of exp6 fail, too: a, …; and 1 of log6, which fails in the same way")) << text;
+}
+
+TEST(Findings, EndWithTheOperationsThatNoneOfThemNames) {
+  const Json all =
+      Json::array({finding("1  exp6 (translation): bad\n   so       log6 fails in the same way\n")});
+  const std::string text = findings_section(Looks(merged(
+      {ordinary(9), ordinary(9, "log6"), ordinary(9, "compose"), ordinary(1, "inverse"), extreme(9, "slerp")},
+      {{"findings", all}})));
+  EXPECT_TRUE(has(text,
+                  "<b>mine</b> fails in 1 further operation: <a href=\"#op-compose\">compose</a>; at extreme "
+                  "angles alone in 1 further operation: "))
+      << text;
+  EXPECT_TRUE(has(digits_table(Looks(merged({ordinary(9, "compose")}))), "<tr id=\"op-compose\""));
+}
+
+TEST(DigitsTable, HasTheOrderOfTheDocumentationAfterWhatFails) {
+  const std::string text = digits_table(Looks(merged(
+      {ordinary(1, "of_nobody"), ordinary(1, "log6"), ordinary(1, "exp6"), ordinary(9, "integrate")})));
+  std::size_t last = 0;
+  for (const char* name : {"op-integrate", "op-exp6\" class=\"rest\"", "op-log6", "op-of_nobody"}) {
+    const std::size_t at = text.find(name);
+    ASSERT_NE(at, text.npos) << name;
+    EXPECT_GT(at, last) << name;
+    last = at;
+  }
+}
+
+TEST(DigitsTable, MarksOperationsThatWereNotTimed) {
+  Json times = cost();
+  times["rows"] = Json::array({cost_row("mine", "double", "exp6", 1e-9, 50)});
+  const std::string text = digits_table(Looks(merged({ordinary(1), ordinary(1, "log6")}, {{"cost", times}})));
+  EXPECT_TRUE(has(text, "<em>50</em>"));
+  EXPECT_TRUE(has(text, "<em>–</em>"));
+}
+
+TEST(CostPicture, NamesEveryMarkOrHasALegend) {
+  Json times = cost();
+  times["rows"] = Json::array();
+  for (int i = 0; i < 30; ++i)  // in one place: there is no room for all names
+    times["rows"].push_back(cost_row("library_" + std::to_string(i), "double", "exp6", 1e-9, 50));
+  const Merged all = merged({ordinary(1)}, {{"cost", times}});
+  const Looks looks(all);
+  const std::string picture = cost_picture(looks, cost_points(times), "exp6");
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(has(picture, ">library_" + std::to_string(i) + "</text>")) << i;
+}
+
+TEST(CostPicture, FloatIsSmallAndTheLegendSaysSo) {
+  Json times = cost();
+  times["rows"] = Json::array({cost_row("mine", "float", "exp6", 1e-6, 50)});
+  const Merged all = merged({ordinary(1)}, {{"cost", times}});
+  EXPECT_TRUE(has(cost_picture(Looks(all), cost_points(times), "exp6"), "small: float"));
+  times["rows"][0]["scalar"] = "double";
+  EXPECT_FALSE(has(cost_picture(Looks(all), cost_points(times), "exp6"), "small: float"));
+}
+
+/// The error of a set follows from its blocks, here as in the program that writes the record.
+TEST(CostPoints, TheErrorOfAllInputsIsThatOfTheRecord) {
+  const Json cost = liecheck::properties::read_json(LIECHECK_SOURCE_DIR "/fixtures/report/times.json");
+  std::size_t rows = 0;
+  for (const Json& r : cost["rows"]) {
+    if (r["error"].is_null()) continue;
+    ++rows;
+    EXPECT_DOUBLE_EQ(error_of_set(r["sets"].back(), r["eps"]), figure(r["error"]))
+        << r["subject"] << r["operation"];
+  }
+  EXPECT_GT(rows, 10u);
+}
+
+}  // namespace
