@@ -222,9 +222,9 @@ class Pytest(unittest.TestCase):
         (PROJECT / "test_other.py").write_text(
             "import liecheck\nfrom libraries import Hang\ntest_hang = liecheck.subject(Hang)\n"
         )
-        for how in (signal.SIGINT, signal.SIGKILL):
+        for how, flags in ((signal.SIGINT, []), (signal.SIGINT, ["-n", "2"]), (signal.SIGKILL, [])):
             with subprocess.Popen(
-                [PYTHON, "-m", "pytest", "test_other.py"],
+                [PYTHON, "-m", "pytest", "test_other.py", *flags],
                 cwd=PROJECT,
                 env=ENVIRONMENT,
                 text=True,
@@ -237,6 +237,7 @@ class Pytest(unittest.TestCase):
                 session.send_signal(how)
                 said = session.communicate()[0]
             self.assertIn("KeyboardInterrupt" if how == signal.SIGINT else "", said)
+            until = time.time() + 8
             while processes() and time.time() < until:
                 time.sleep(0.1)
             self.assertEqual(processes(), [])

@@ -52,6 +52,11 @@ def main():
     except Wrong as wrong:
         print(f"liecheck: {wrong}", file=sys.stderr)
         return 2
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        print(f"liecheck: NumPy is missing: {sys.executable} -m pip install numpy", file=sys.stderr)
+        return 2
     except KeyboardInterrupt:
         return 130
 

@@ -3,6 +3,7 @@ import functools
 import json
 import os
 import pathlib
+import re
 import shlex
 import signal
 import subprocess
@@ -113,7 +114,9 @@ def tested(words):
         record = pathlib.Path(folder, "record.json")
         code, said, errors = started(["test", *words, "--jobs", "1", "--json", str(record)])
         expected = json.loads(record.read_text())["expected"] if record.exists() else []
-    said = [said.split("\n--verbose shows")[0].strip(), errors.strip() if code else ""]
+    findings = re.findall(r"^\d+  (.*)$", said, re.MULTILINE)  # pytest's summary has the first line
+    errors = re.sub(r"^ *\d+ %  .*$", "", errors, flags=re.MULTILINE)  # progress
+    said = ["; ".join(findings), said.split("\n--verbose shows")[0].strip(), errors.strip() if code else ""]
     return code, "\n".join(filter(None, said)) or f"liecheck ends with exit code {code}", expected
 
 
