@@ -79,7 +79,7 @@ expect("perhaps  the sign of w near pi")
 run(${campaign} 1000 --adapter "PYTHONPATH=${SOURCE}/../../install/python exec /usr/bin/python3 -m liecheck serve ${SOURCE}/python/adapter.py:MyLib")
 expect_four_faults()
 run(${WORK}/prefix/bin/liecheck campaign --rules 0 --cases 1)
-expect("--rules: unknown version '0'; known: 4")
+expect("--rules: unknown version '0'; known: 5")
 run(${WORK}/prefix/bin/liecheck compare --rules 5 present)
 expect("rules 5 and present: 0 differences")
 

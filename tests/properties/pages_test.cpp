@@ -86,6 +86,10 @@ std::vector<std::string> wrong_outputs(const std::string& page, int* commands = 
     if (b.language != "text" || !b.text.starts_with(begin)) continue;
     const auto end = b.text.find('\n');
     const std::string arguments = b.text.substr(begin.size(), end - begin.size());
+    static const std::regex adapter("build/release/adapters/[a-z.]+");
+    std::smatch library;  // of Debian; without it no adapter is built
+    if (std::regex_search(arguments, library, adapter) && !std::filesystem::exists(root + library.str()))
+      continue;
     if (const std::string line = first_missing(b.text.substr(end + 1), output_of(arguments)); !line.empty())
       wrong.push_back(arguments + ": " + line);
     if (commands) ++*commands;
