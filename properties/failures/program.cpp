@@ -95,7 +95,7 @@ std::string program_of(const Series& series, const Output& output, const std::ve
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}\n"
       "#include <iostream>\n#include <liecheck/{}>\nusing namespace liecheck;\nint main() {{\n  using S = "
       "{};\n",
-      robot ? " -lliecheck_lib -ltinyxml2" : "", operation.call.header, series.scalar);
+      robot ? " -lliecheck_lib -lexpat" : "", operation.call.header, series.scalar);
   if (robot)
     text += fmt::format("  const auto model = buildModelFromUrdf(\"ROBOT.urdf\", RootJoint::{}).cast<S>();\n",
                         series.robot_fixed ? "Fixed" : "FreeFlyer");

@@ -2,12 +2,11 @@
 // What the adapters of simulators share: the framing of the process protocol, and a robot's URDF with the places of its
 // joints in q and v. docs/adapters.md, "Trees and robots", describes both.
 
-#include <tinyxml2.h>
-
 #include <unistd.h>
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <functional>
+#include <liecheck/urdf/xml.hpp>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -82,22 +81,20 @@ struct Robot {
  private:
   void read_urdf(const nlohmann::json& model) {
     text = model.at("urdf"), floating = model.at("root") == "free-flyer";
-    tinyxml2::XMLDocument file;
-    file.Parse(text.c_str());
-    const auto* const robot = file.FirstChildElement("robot");
-    if (!robot) throw std::invalid_argument("the URDF has no robot");
     std::map<std::string, Joint> of_name;
     std::map<std::string, bool> is_child;
-    for (auto* j = robot->FirstChildElement("joint"); j; j = j->NextSiblingElement("joint")) {
+    const auto robot = liecheck::urdf_detail::parseXml(text, liecheck::urdf_detail::Messages("the URDF"));
+    for (const auto& j : robot.children) {
+      if (j.name != "joint") continue;
       Joint joint;
-      joint.name = j->Attribute("name"), joint.kind = j->Attribute("type");
-      joint.child = j->FirstChildElement("child")->Attribute("link");
+      joint.name = j.attribute("name"), joint.kind = j.attribute("type");
+      joint.child = j.first("child")->attribute("link");
       if (joint.kind == "floating") joint.kind = "free-flyer";
       is_child[joint.child] = true;
       of_name[joint.name] = joint;
     }
-    for (auto* l = robot->FirstChildElement("link"); l; l = l->NextSiblingElement("link"))
-      if (!is_child[l->Attribute("name")]) root = l->Attribute("name");
+    for (const auto& l : robot.children)
+      if (l.name == "link" && !is_child[l.attribute("name")]) root = l.attribute("name");
     for (const std::string name : model.at("order")) {
       Joint own;
       own.name = name, own.kind = "free-flyer", own.child = root;

@@ -9,8 +9,6 @@
 namespace liecheck::urdf_detail {
 namespace {
 
-using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
-
 /// Attributes of one element, each with `count` numbers. Only elements below <link>, <joint> and <material>
 /// are checked, since other programs may use the same names elsewhere.
 struct NumericAttributes {
@@ -54,38 +52,37 @@ std::optional<double> oneNumber(std::string_view text) {
 const double largest_root = std::sqrt(std::numeric_limits<double>::max());
 
 /// Checks one attribute of e. If the model does not read it, an error is only a warning.
-void check(const XMLElement& e, const std::string& attribute, const NumericAttributes& n, bool is_read,
+void check(const Element& e, const std::string& attribute, const NumericAttributes& n, bool is_read,
            Messages& messages) {
   const std::string what = "<" + std::string(n.element) + "> " + attribute;
-  const auto refuse = [&](int line, const std::string& why, const char* value) {
+  const auto refuse = [&](int line, const std::string& why, const std::string& value) {
     if (is_read) messages.refuse(line, what + why, value);
     messages.warn(line, what + why, value);
   };
-  for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
-    if (a->Name() != attribute) continue;
-    const auto values = numbersIn(a->Value());
-    if (!values) return refuse(a->GetLineNum(), " does not hold finite numbers", a->Value());
+  for (const Attribute& a : e.attributes) {
+    if (a.name != attribute) continue;
+    const auto values = numbersIn(a.value);
+    if (!values) return refuse(a.line, " does not hold finite numbers", a.value);
     if (int(values->size()) != n.count)
-      return refuse(a->GetLineNum(),
+      return refuse(a.line,
                     " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
-                    a->Value());
+                    a.value);
     if (is_read &&
         std::any_of(values->begin(), values->end(), [](double x) { return std::abs(x) > largest_root; }))
-      messages.warn(a->GetLineNum(), what + " is so large that its square overflows", a->Value());
+      messages.warn(a.line, what + " is so large that its square overflows", a.value);
     return;
   }
-  if (!n.otherwise) refuse(e.GetLineNum(), " is missing", "");
-  if (n.otherwise && *n.otherwise)
-    messages.warn(e.GetLineNum(), what + " is missing and is taken as", n.otherwise);
+  if (!n.otherwise) refuse(e.line, " is missing", "");
+  if (n.otherwise && *n.otherwise) messages.warn(e.line, what + " is missing and is taken as", n.otherwise);
 }
 
-void checkBelow(const XMLElement& e, bool is_read, Messages& messages) {
-  for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
-    const std::string_view element = child->Value();
+void checkBelow(const Element& e, bool is_read, Messages& messages) {
+  for (const Element& child : e.children) {
+    const std::string_view element = child.name;
     for (const NumericAttributes& n : numeric_attributes)
       for (const char* name : n.names)
-        if (element == n.element && name) check(*child, name, n, is_read, messages);
-    checkBelow(*child, is_read && element != "visual" && element != "collision", messages);
+        if (element == n.element && name) check(child, name, n, is_read, messages);
+    checkBelow(child, is_read && element != "visual" && element != "collision", messages);
   }
 }
 
@@ -105,17 +102,17 @@ std::optional<std::vector<double>> numbersIn(std::string_view text) {
   return values;
 }
 
-void checkNumbersBelow(const XMLElement& e, Messages& messages) {
-  checkBelow(e, std::string_view(e.Value()) != "material", messages);
+void checkNumbersBelow(const Element& e, Messages& messages) {
+  checkBelow(e, e.name != "material", messages);
 }
 
-double number(const XMLElement& e, const char* attribute, double fallback) {
-  const char* text = e.Attribute(attribute);
+double number(const Element& e, const char* attribute, double fallback) {
+  const char* text = e.attribute(attribute);
   return text ? numbersIn(text).value().at(0) : fallback;
 }
 
-Vector3<double> vector(const XMLElement& e, const char* attribute, const Vector3<double>& fallback) {
-  const char* text = e.Attribute(attribute);
+Vector3<double> vector(const Element& e, const char* attribute, const Vector3<double>& fallback) {
+  const char* text = e.attribute(attribute);
   if (!text) return fallback;
   const std::vector<double> x = numbersIn(text).value();
   return {x.at(0), x.at(1), x.at(2)};

@@ -1,5 +1,3 @@
-#include <tinyxml2.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +5,6 @@
 #include <liecheck/urdf/attributes.hpp>
 #include <liecheck/urdf/description.hpp>
 #include <liecheck/urdf/markup.hpp>
-#include <liecheck/urdf/xml_check.hpp>
 #include <limits>
 #include <set>
 #include <string_view>
@@ -15,11 +12,9 @@
 namespace liecheck::urdf_detail {
 namespace {
 
-using tinyxml2::XMLDocument, tinyxml2::XMLElement;
-
 /// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) of rpy [rad], as in urdfdom.
-SE3<double> origin(const XMLElement& of) {
-  const XMLElement* e = of.FirstChildElement("origin");
+SE3<double> origin(const Element& of) {
+  const Element* e = of.first("origin");
   if (!e) return SE3<double>::Identity();
   const Vector3<double> half = vector(*e, "rpy") / 2;
   const auto [sx, sy, sz] = std::array{std::sin(half[0]), std::sin(half[1]), std::sin(half[2])};
@@ -34,25 +29,21 @@ class Reader {
  public:
   Reader(const UrdfOptions& options, Messages& messages) : options_(options), messages_(messages) {}
 
-  Description robot(const XMLDocument& document) {
-    const XMLElement* robot = document.RootElement();
-    if (!robot) refuse(1, "no element, expected <robot>", "");
-    if (const XMLElement* second = robot->NextSiblingElement())
-      refuse(*second, "a second root element", second->Value());
-    if (std::string_view(robot->Value()) != "robot") refuse(*robot, "expected <robot>", robot->Value());
-    robot_.line = robot->GetLineNum();
-    checkMarkup(*robot, messages_);
-    if (const char* robot_name = robot->Attribute("name")) robot_.name = robot_name;
+  Description robot(const Element& robot) {
+    if (robot.name != "robot") refuse(robot, "expected <robot>", robot.name);
+    robot_.line = robot.line;
+    checkMarkup(robot, messages_);
+    if (const char* robot_name = robot.attribute("name")) robot_.name = robot_name;
     if (robot_.name.empty()) messages_.warn(robot_.line, "a robot without a name is named", unnamed_robot);
-    if (const char* version = robot->Attribute("version"); version && version != std::string_view("1.0"))
+    if (const char* version = robot.attribute("version"); version && version != std::string_view("1.0"))
       refuse(robot_.line, "a URDF version other than 1.0", version);
-    for (const XMLElement* e = robot->FirstChildElement("material"); e; e = e->NextSiblingElement("material"))
-      material(*e);
-    for (const XMLElement* e = robot->FirstChildElement("link"); e; e = e->NextSiblingElement("link"))
-      link(*e);
+    for (const Element& e : robot.children)
+      if (e.name == "material") material(e);
+    for (const Element& e : robot.children)
+      if (e.name == "link") link(e);
     if (robot_.links.empty()) refuse(robot_.line, "a robot without links", robot_.name);
-    for (const XMLElement* e = robot->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint"))
-      joint(*e);
+    for (const Element& e : robot.children)
+      if (e.name == "joint") joint(e);
     mimics();
     tree();
     return std::move(robot_);
@@ -62,19 +53,19 @@ class Reader {
   [[noreturn]] void refuse(int line, const std::string& what, const std::string& value) const {
     messages_.refuse(line, what, value);
   }
-  [[noreturn]] void refuse(const XMLElement& at, const std::string& what, const std::string& value) const {
-    messages_.refuse(at.GetLineNum(), what, value);
+  [[noreturn]] void refuse(const Element& at, const std::string& what, const std::string& value) const {
+    messages_.refuse(at.line, what, value);
   }
 
-  std::string name(const XMLElement& e, const std::string& what) const {
-    const char* value = e.Attribute("name");
+  std::string name(const Element& e, const std::string& what) const {
+    const char* value = e.attribute("name");
     if (!value || !*value) refuse(e, "a " + what + " without a name", value ? value : "");
     return value;
   }
 
   /// Adds the part of a new name and sets its line. Refuses a second part of that name, and a reserved name.
   template <class Part>
-  Part& added(std::map<std::string, Part>& parts, const XMLElement& e, const std::string& what,
+  Part& added(std::map<std::string, Part>& parts, const Element& e, const std::string& what,
               const std::string& part_name) const {
     if (part_name == "universe")
       refuse(e, "this " + what + " name is reserved for the model's root", part_name);
@@ -83,46 +74,44 @@ class Reader {
     if (!is_new)
       refuse(e, "a second " + what + " of that name, the first is in line " + std::to_string(part.line),
              part_name);
-    part.line = e.GetLineNum();
+    part.line = e.line;
     return part;
   }
 
-  void material(const XMLElement& e) {
+  void material(const Element& e) {
     checkNumbersBelow(e, messages_);
-    const char* material_name = e.Attribute("name");
+    const char* material_name = e.attribute("name");
     if (!material_name) return;
-    const auto [first, is_new] = material_lines_.try_emplace(material_name, e.GetLineNum());
+    const auto [first, is_new] = material_lines_.try_emplace(material_name, e.line);
     if (!is_new)
-      messages_.warn(e.GetLineNum(),
+      messages_.warn(e.line,
                      "a second material of that name, the first is in line " + std::to_string(first->second),
                      material_name);
   }
 
-  void link(const XMLElement& e) {
+  void link(const Element& e) {
     const std::string link_name = name(e, "link");
     LinkDescription& link = added(robot_.links, e, "link", link_name);
     checkNumbersBelow(e, messages_);
-    if (const XMLElement* inertial = e.FirstChildElement("inertial"))
+    if (const Element* inertial = e.first("inertial"))
       link.inertia = origin(*inertial).act(body(*inertial, link_name));
   }
 
   /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass. Records moments
   /// that no body can have in unphysical_links, unless they are below m (eps |c|)^2: the rounding errors of
   /// the centre of mass c in the link's frame alone change them by more.
-  Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
-    const XMLElement *mass = inertial.FirstChildElement("mass"),
-                     *inertia = inertial.FirstChildElement("inertia");
-    const auto warn = [&](const char* what) { messages_.warn(inertial.GetLineNum(), what, link_name); };
+  Inertia<double> body(const Element& inertial, const std::string& link_name) {
+    const Element *mass = inertial.first("mass"), *inertia = inertial.first("inertia");
+    const auto warn = [&](const char* what) { messages_.warn(inertial.line, what, link_name); };
     if (!mass) warn("an <inertial> without <mass> is ignored, and the link has no mass");
     if (!mass) return Inertia<double>::Zero();
     if (!inertia) warn("an <inertial> without <inertia> is that of a point");
     const auto of = [&](const char* moment) { return inertia ? number(*inertia, moment) : 0; };
     const double m = number(*mass, "value");
-    if (m < 0) refuse(*mass, "link '" + link_name + "' has a negative mass", mass->Attribute("value"));
+    if (m < 0) refuse(*mass, "link '" + link_name + "' has a negative mass", mass->attribute("value"));
     if (m > 0 && m * m < std::numeric_limits<double>::min())
-      messages_.warn(mass->GetLineNum(),
-                     "link '" + link_name + "' has a mass so small that its square underflows",
-                     mass->Attribute("value"));
+      messages_.warn(mass->line, "link '" + link_name + "' has a mass so small that its square underflows",
+                     mass->attribute("value"));
     Matrix3<double> I;
     I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
     const Inertia<double> body(m, Vector3<double>::Zero(), I);
@@ -131,13 +120,13 @@ class Reader {
     const std::string why = whyUnphysicalLink(body);
     const std::size_t colon = why.find(": ");
     if (!why.empty())
-      robot_.unphysical_links.push_back({link_name, inertia->GetLineNum(),
+      robot_.unphysical_links.push_back({link_name, inertia->line,
                                          "link '" + link_name + "': " + why.substr(0, colon),
                                          colon == why.npos ? "" : why.substr(colon + 2)});
     return body;
   }
 
-  void joint(const XMLElement& e) {
+  void joint(const Element& e) {
     const std::string joint_name = name(e, "joint"), joint_text = "joint '" + joint_name + "'";
     JointDescription& joint = added(robot_.joints, e, "joint", joint_name);
     if (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer))
@@ -147,19 +136,19 @@ class Reader {
     joint.X_PJ = origin(e);
     const bool one_coordinate = joint.type == JointType::Revolute || joint.type == JointType::Continuous ||
                                 joint.type == JointType::Prismatic;
-    const XMLElement *mimic = e.FirstChildElement("mimic"), *dynamics = e.FirstChildElement("dynamics");
-    if (mimic && !mimic->Attribute("joint"))
+    const Element *mimic = e.first("mimic"), *dynamics = e.first("dynamics");
+    if (mimic && !mimic->attribute("joint"))
       refuse(*mimic, joint_text + " has a <mimic> that names no joint", "");
-    if (dynamics && !dynamics->Attribute("damping") && !dynamics->Attribute("friction"))
-      messages_.warn(dynamics->GetLineNum(), joint_text + " has a <dynamics> without damping and friction",
-                     e.Attribute("type"));
+    if (dynamics && !dynamics->attribute("damping") && !dynamics->attribute("friction"))
+      messages_.warn(dynamics->line, joint_text + " has a <dynamics> without damping and friction",
+                     e.attribute("type"));
     if (dynamics) joint.dynamics = {number(*dynamics, "damping"), number(*dynamics, "friction")};
     if (one_coordinate) joint.axis = axis(e, joint_text);
     limit(e, joint_text, joint);
     softLimits(e, joint_text);
     if (mimic && one_coordinate) {
-      joint.mimic = {mimic->Attribute("joint"), number(*mimic, "multiplier", 1), number(*mimic, "offset")};
-      mimics_.push_back({joint_name, joint.mimic->primary, mimic->GetLineNum()});
+      joint.mimic = {mimic->attribute("joint"), number(*mimic, "multiplier", 1), number(*mimic, "offset")};
+      mimics_.push_back({joint_name, joint.mimic->primary, mimic->line});
     }
     if (!one_coordinate && joint.type != JointType::Fixed) unused(e, joint_text, joint.type);
     joint.parent = linkOf(e, "parent", joint_text), joint.child = linkOf(e, "child", joint_text);
@@ -169,12 +158,12 @@ class Reader {
              joint.child);
   }
 
-  JointType type(const XMLElement& e, const std::string& joint_text) const {
+  JointType type(const Element& e, const std::string& joint_text) const {
     static const std::map<std::string_view, JointType> types = {
         {"fixed", JointType::Fixed},           {"revolute", JointType::Revolute},
         {"continuous", JointType::Continuous}, {"prismatic", JointType::Prismatic},
         {"planar", JointType::Planar},         {"floating", JointType::Floating}};
-    const char* text = e.Attribute("type");
+    const char* text = e.attribute("type");
     if (!text) refuse(e, joint_text + " has no type", "");
     const auto found = types.find(text);
     if (found == types.end()) refuse(e, joint_text + ": unknown joint type", text);
@@ -182,28 +171,28 @@ class Reader {
   }
 
   /// Reads <limit> as it is written; ModelBuilder ignores the limits that this warns of.
-  void limit(const XMLElement& e, const std::string& joint_text, JointDescription& joint) const {
-    const XMLElement* limit = e.FirstChildElement("limit");
+  void limit(const Element& e, const std::string& joint_text, JointDescription& joint) const {
+    const Element* limit = e.first("limit");
     const bool bounded = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
     if (!limit) {
       if (bounded)
         messages_.warn(joint.line,
                        joint_text + " has no <limit>, which its type needs, and moves without limits",
-                       e.Attribute("type"));
+                       e.attribute("type"));
       return;
     }
     const auto warn = [&](const std::string& what, const std::string& value) {
-      messages_.warn(limit->GetLineNum(), joint_text + what, value);
+      messages_.warn(limit->line, joint_text + what, value);
     };
     for (const char* bound : {"lower", "upper"})
-      if (bounded && !limit->Attribute(bound))
+      if (bounded && !limit->attribute(bound))
         warn(std::string(" has a <limit> without ") + bound + ", which is taken as", "0");
     constexpr double infinity = std::numeric_limits<double>::infinity();
     joint.limit = {number(*limit, "lower"), number(*limit, "upper"), number(*limit, "effort", infinity),
                    number(*limit, "velocity", infinity)};
     const auto [lower, upper, effort, velocity] = *joint.limit;
-    if (effort < 0) warn(" has a negative effort limit, which is ignored", limit->Attribute("effort"));
-    if (velocity < 0) warn(" has a negative velocity limit, which is ignored", limit->Attribute("velocity"));
+    if (effort < 0) warn(" has a negative effort limit, which is ignored", limit->attribute("effort"));
+    if (velocity < 0) warn(" has a negative velocity limit, which is ignored", limit->attribute("velocity"));
     const std::string bounds = std::to_string(lower) + " " + std::to_string(upper);
     if (bounded && lower > upper) warn(" has crossed limits, lower > upper, which are ignored", bounds);
     if (joint.type == JointType::Continuous && lower != upper)
@@ -211,30 +200,28 @@ class Reader {
   }
 
   /// Warns of the soft limits of a controller, since the model has no place for them.
-  void softLimits(const XMLElement& e, const std::string& joint_text) const {
-    const XMLElement* safety = e.FirstChildElement("safety_controller");
+  void softLimits(const Element& e, const std::string& joint_text) const {
+    const Element* safety = e.first("safety_controller");
     if (!safety) return;
-    const char *lower = safety->Attribute("soft_lower_limit"), *upper = safety->Attribute("soft_upper_limit");
+    const char *lower = safety->attribute("soft_lower_limit"), *upper = safety->attribute("soft_upper_limit");
     if (lower || upper)
-      messages_.warn(safety->GetLineNum(),
-                     joint_text + ": the soft limits of its <safety_controller> are ignored",
+      messages_.warn(safety->line, joint_text + ": the soft limits of its <safety_controller> are ignored",
                      std::string(lower ? lower : "0") + " " + (upper ? upper : "0"));
   }
 
   /// Warns of elements that a planar or floating joint ignores. A planar joint always moves in its x y plane.
-  void unused(const XMLElement& e, const std::string& joint_text, JointType type) const {
-    const XMLElement* axis = e.FirstChildElement("axis");
-    const char* text = axis ? axis->Attribute("xyz") : nullptr;
+  void unused(const Element& e, const std::string& joint_text, JointType type) const {
+    const Element* axis = e.first("axis");
+    const char* text = axis ? axis->attribute("xyz") : nullptr;
     const std::string xyz = text ? text : "none, so 1 0 0";
     if (type == JointType::Planar && (!text || vector(*axis, "xyz") != Vector3<double>::UnitZ()))
-      messages_.warn(axis ? axis->GetLineNum() : e.GetLineNum(),
+      messages_.warn(axis ? axis->line : e.line,
                      joint_text + " is planar and its axis is ignored: it moves in its x y plane", xyz);
     if (type == JointType::Floating && axis)
-      messages_.warn(axis->GetLineNum(), joint_text + " is floating and its axis is ignored", xyz);
+      messages_.warn(axis->line, joint_text + " is floating and its axis is ignored", xyz);
     for (const char* element : {"limit", "dynamics", "mimic"})
-      if (const XMLElement* found = e.FirstChildElement(element))
-        messages_.warn(found->GetLineNum(), joint_text + ": its <" + element + "> is ignored",
-                       e.Attribute("type"));
+      if (const Element* found = e.first(element))
+        messages_.warn(found->line, joint_text + ": its <" + element + "> is ignored", e.attribute("type"));
   }
 
   /// Warns that each mimic is independent. If mimics are tied, refuses one that cannot follow its primary.
@@ -262,21 +249,20 @@ class Reader {
     return joint.mimic ? "a joint that is a mimic itself" : "";
   }
 
-  Vector3<double> axis(const XMLElement& e, const std::string& joint_text) const {
-    const XMLElement* axis = e.FirstChildElement("axis");
+  Vector3<double> axis(const Element& e, const std::string& joint_text) const {
+    const Element* axis = e.first("axis");
     if (!axis) return Vector3<double>::UnitX();
     const Vector3<double> xyz = vector(*axis, "xyz", Vector3<double>::UnitX());
-    if (xyz.isZero(0)) refuse(*axis, joint_text + " has a zero axis", axis->Attribute("xyz"));
+    if (xyz.isZero(0)) refuse(*axis, joint_text + " has a zero axis", axis->attribute("xyz"));
     if (std::fabs(xyz.stableNorm() - 1) > 1e-3)  // a rounding to three digits is no mistake
-      messages_.warn(axis->GetLineNum(),
-                     joint_text + " has an axis whose length is not 1; only its direction counts",
-                     axis->Attribute("xyz"));
+      messages_.warn(axis->line, joint_text + " has an axis whose length is not 1; only its direction counts",
+                     axis->attribute("xyz"));
     return xyz;
   }
 
-  std::string linkOf(const XMLElement& e, const char* role, const std::string& joint_text) const {
-    const XMLElement* element = e.FirstChildElement(role);
-    const char* link_name = element ? element->Attribute("link") : nullptr;
+  std::string linkOf(const Element& e, const char* role, const std::string& joint_text) const {
+    const Element* element = e.first(role);
+    const char* link_name = element ? element->attribute("link") : nullptr;
     if (!link_name) refuse(e, joint_text + " has no " + role + " link", "");
     if (!robot_.links.contains(link_name))
       refuse(*element, joint_text + ": its " + role + " link does not exist", link_name);
@@ -335,19 +321,7 @@ std::string whyUnphysicalLink(const Inertia<double>& I) {
 }
 
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages) {
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    messages.refuse(1, "empty", std::to_string(text.size()) + " bytes");
-  checkXml(text, messages);
-  XMLDocument document;
-  document.Parse(text.data(), text.size());
-  if (const tinyxml2::XMLError error = document.ErrorID()) {
-    const char* why =
-        error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT  ? "an element without a closing tag of its name"
-        : error == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE ? "an attribute without a value, or given twice"
-                                                         : document.ErrorName();
-    messages.refuse(std::max(document.ErrorLineNum(), 1), "malformed XML, or cut off", why);
-  }
-  return Reader(options, messages).robot(document);
+  return Reader(options, messages).robot(parseXml(text, messages));
 }
 
 }  // namespace liecheck::urdf_detail

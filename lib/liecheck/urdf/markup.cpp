@@ -6,8 +6,6 @@
 namespace liecheck::urdf_detail {
 namespace {
 
-using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
-
 /// The words of an element, separated by spaces. `others` are elements and attributes of other programs that
 /// do not change what this reader reads. Source: the XML specification of ros.org, wiki.ros.org/urdf/XML.
 struct Words {
@@ -81,50 +79,49 @@ class MarkupCheck {
   explicit MarkupCheck(Messages& messages) : messages_(messages) {}
 
   /// Checks e and the elements inside it. The recursion is as deep as known elements nest, at most five.
-  void check(const XMLElement& e, const Words& words) {
+  void check(const Element& e, const Words& words) {
     attributes(e, words);
     second(e, words);
-    for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
-      const std::string_view name = child->Value();
+    for (const Element& child : e.children) {
+      const std::string_view name = child.name;
       const bool known = contains(words.once, name) || contains(words.repeated, name);
       if (const Words* inside = known ? wordsOf(name) : nullptr)
-        check(*child, *inside);
+        check(child, *inside);
       else if (name.starts_with("xacro:"))
-        messages_.warn(child->GetLineNum(), "xacro that is not expanded", child->Value());
+        messages_.warn(child.line, "xacro that is not expanded", child.name);
       else if (name.find(':') == name.npos && !contains(words.others, name))
-        messages_.warn(child->GetLineNum(),
+        messages_.warn(child.line,
                        "an unknown element in <" + std::string(words.element) + "> is ignored" +
                            nearest(name, {words.once, words.repeated}),
-                       child->Value());
+                       child.name);
     }
   }
 
  private:
-  void attributes(const XMLElement& e, const Words& words) {
-    for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
-      const std::string_view name = a->Name(), value = a->Value();
-      const std::string text = std::string(name) + "='" + std::string(value) + "'";
+  void attributes(const Element& e, const Words& words) {
+    for (const auto& [name, value, line] : e.attributes) {
+      const std::string text = name + "='" + value + "'";
       if (value.find("${") != value.npos || value.find("$(") != value.npos)
-        messages_.warn(a->GetLineNum(), "xacro that is not expanded", text);
+        messages_.warn(line, "xacro that is not expanded", text);
       if (name == "xmlns" || name.find(':') != name.npos) continue;
       if (!contains(words.attributes, name) && !contains(words.others, name))
-        messages_.warn(a->GetLineNum(),
+        messages_.warn(line,
                        "an unknown attribute of <" + std::string(words.element) + "> is ignored" +
                            nearest(name, {words.attributes}),
                        text);
     }
   }
 
-  void second(const XMLElement& e, const Words& words) {
+  void second(const Element& e, const Words& words) {
     for (std::string_view once = words.once; !once.empty();) {
       const std::string name(nextWord(once));
-      const XMLElement* first = e.FirstChildElement(name.c_str());
-      for (const XMLElement* next = first ? first->NextSiblingElement(name.c_str()) : nullptr; next;
-           next = next->NextSiblingElement(name.c_str()))
-        messages_.warn(next->GetLineNum(),
-                       "a second <" + name + "> in one <" + std::string(words.element) +
-                           "> is ignored, the first is in line " + std::to_string(first->GetLineNum()),
-                       e.Attribute("name") ? e.Attribute("name") : "");
+      const Element* first = e.first(name);
+      for (const Element& next : e.children)
+        if (next.name == name && &next != first)
+          messages_.warn(next.line,
+                         "a second <" + name + "> in one <" + std::string(words.element) +
+                             "> is ignored, the first is in line " + std::to_string(first->line),
+                         e.attribute("name") ? e.attribute("name") : "");
     }
   }
 
@@ -133,7 +130,7 @@ class MarkupCheck {
 
 }  // namespace
 
-void checkMarkup(const XMLElement& robot, Messages& messages) {
+void checkMarkup(const Element& robot, Messages& messages) {
   MarkupCheck(messages).check(robot, all_words[0]);
 }
 

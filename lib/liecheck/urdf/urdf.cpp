@@ -184,6 +184,8 @@ class ModelBuilder {
 
 UrdfRobot loadUrdfText(const std::string& text, const UrdfOptions& options, const std::string& source_name) {
   Messages messages(source_name, options.strict);
+  if (text.size() > max_urdf_bytes)
+    messages.refuse(0, "larger than the limit for a URDF", std::to_string(max_urdf_bytes) + " bytes");
   const Description robot = urdf_detail::describe(text, options, messages);
   Model<double> model = ModelBuilder(robot, options, messages).build();
   return {std::move(model), std::move(messages.warnings)};
@@ -196,10 +198,7 @@ Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root,
 
 std::string readUrdf(const std::string& path) {
   try {
-    std::string text = readTextFile(path, max_urdf_bytes);
-    if (text.size() > max_urdf_bytes)
-      throw FileError("larger than the limit for a URDF", std::to_string(max_urdf_bytes) + " bytes");
-    return text;
+    return readTextFile(path, max_urdf_bytes);
   } catch (const FileError& e) {
     throw UrdfError(path, 0, e.problem, e.value);
   }

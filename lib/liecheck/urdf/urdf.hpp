@@ -9,7 +9,7 @@
 // effort and velocity limits either. Geometry is not read and packages are not searched. A mimic that is tied
 // to a later joint is added, with the joints below it, after that joint and the joints below that.
 //
-// The text is parsed by TinyXML-2, not by urdfdom. urdfdom reports errors without a line, on a logger of the
+// The text is parsed by expat, not by urdfdom. urdfdom reports errors without a line, on a logger of the
 // whole process. If white space follows a number of an <inertial>, urdfdom drops the mass of the link. Trees
 // and numbers are those of urdfdom to the last bit, as tests/lib/urdfdom_test.cpp checks. The only difference
 // is that this reader accepts white space around any number.
@@ -37,7 +37,8 @@ struct UrdfRobot {
 /// The largest size of a URDF text, 64 MiB: a thousand times that of a humanoid.
 constexpr std::size_t max_urdf_bytes = std::size_t(64) << 20;
 
-/// The text of a URDF file, read once. It may be a regular file, or a pipe with a writer. Throws UrdfError.
+/// The text of a URDF file, read once; of a larger one than max_urdf_bytes, one byte more than is accepted. It may be a
+/// regular file, or a pipe with a writer. Throws UrdfError.
 std::string readUrdf(const std::string& path);
 
 /// The robot of a URDF file. Throws UrdfError.

@@ -1,5 +1,3 @@
-#include <tinyxml2.h>
-
 #include <algorithm>
 #include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/urdf/attributes.hpp>
@@ -10,7 +8,7 @@ namespace {
 using scene::Key;
 using scene::Kind;
 using scene::Shape;
-using tinyxml2::XMLElement;
+using urdf_detail::Element;
 using V3 = Vector3<double>;
 
 SE3<double> turnedAndMoved(const scene::Parameters& p, const char* attitude, const char* position) {
@@ -19,18 +17,18 @@ SE3<double> turnedAndMoved(const scene::Parameters& p, const char* attitude, con
 }
 
 /// The numbers of an attribute; none if there are not `count`, or one of them is not above 0.
-std::vector<double> sizes(const XMLElement& e, const char* attribute, std::size_t count) {
-  const char* text = e.Attribute(attribute);
+std::vector<double> sizes(const Element& e, const char* attribute, std::size_t count) {
+  const char* text = e.attribute(attribute);
   const auto x = urdf_detail::numbersIn(text ? text : "");
   const auto positive = [](double value) { return value > 0; };
   return x && x->size() == count && std::all_of(x->begin(), x->end(), positive) ? *x : std::vector<double>();
 }
 
 /// The pose of <origin>, R = R_z(yaw) R_y(pitch) R_x(roll); none if its numbers cannot be read.
-std::optional<SE3<double>> origin(const XMLElement& collision) {
-  const XMLElement* e = collision.FirstChildElement("origin");
+std::optional<SE3<double>> origin(const Element& collision) {
+  const Element* e = collision.first("origin");
   const auto read = [&](const char* name) {
-    const char* text = e ? e->Attribute(name) : nullptr;
+    const char* text = e ? e->attribute(name) : nullptr;
     return urdf_detail::numbersIn(text ? text : "0 0 0");
   };
   const auto x = read("xyz"), rpy = read("rpy");
@@ -40,21 +38,21 @@ std::optional<SE3<double>> origin(const XMLElement& collision) {
   return SE3<double>(R, V3((*x)[0], (*x)[1], (*x)[2]));
 }
 
-Shape shapeOf(const XMLElement& collision, const std::string& link, int frame) {
+Shape shapeOf(const Element& collision, const std::string& link, int frame) {
   using Type = Shape::Type;
-  const std::string line = " in line " + std::to_string(collision.GetLineNum()) + " of the URDF";
+  const std::string line = " in line " + std::to_string(collision.line) + " of the URDF";
   Shape shape{Type::Unusable, {}, link, frame, SE3<double>::Identity(), "has no geometry" + line};
-  const XMLElement* geometry = collision.FirstChildElement("geometry");
-  const XMLElement* e = geometry ? geometry->FirstChildElement() : nullptr;
-  if (!e) return shape;
-  const std::string kind = e->Value();
+  const Element* geometry = collision.first("geometry");
+  if (!geometry || geometry->children.empty()) return shape;
+  const Element& e = geometry->children[0];
+  const std::string& kind = e.name;
   shape.why = "is a " + kind + line;
   const bool round = kind == "cylinder" || kind == "capsule";
   if (kind != "sphere" && kind != "box" && !round) return shape;
   shape.why += " whose sizes or origin cannot be read";
   const auto X = origin(collision);
-  const std::vector<double> first = kind == "box" ? sizes(*e, "size", 3) : sizes(*e, "radius", 1),
-                            second = round ? sizes(*e, "length", 1) : std::vector{0.0};
+  const std::vector<double> first = kind == "box" ? sizes(e, "size", 3) : sizes(e, "radius", 1),
+                            second = round ? sizes(e, "length", 1) : std::vector{0.0};
   if (!X || first.empty() || second.empty()) return shape;
   std::copy(first.begin(), first.end(), shape.size.begin());
   if (round) shape.size[1] = second[0];
@@ -128,16 +126,13 @@ std::vector<Shape> shapeOfBody(const std::string& kind, const scene::Parameters&
 }
 
 std::vector<Shape> shapesOfUrdf(const std::string& urdf, const Model<double>& model) {
-  tinyxml2::XMLDocument document;
-  document.Parse(urdf.data(), urdf.size());
   std::vector<Shape> all;
-  for (const XMLElement* link = document.RootElement()->FirstChildElement("link"); link;
-       link = link->NextSiblingElement("link")) {
-    const std::string name = link->Attribute("name");
+  for (const Element& link : urdf_detail::parseXml(urdf, urdf_detail::Messages("URDF text")).children) {
+    if (link.name != "link") continue;
+    const std::string name = link.attribute("name");
     std::vector<Shape> own;
-    for (const XMLElement* e = link->FirstChildElement("collision"); e;
-         e = e->NextSiblingElement("collision"))
-      own.push_back(shapeOf(*e, name, model.getFrameId(name, FrameType::BODY)));
+    for (const Element& e : link.children)
+      if (e.name == "collision") own.push_back(shapeOf(e, name, model.getFrameId(name, FrameType::BODY)));
     joinCapsules(own);
     all.insert(all.end(), own.begin(), own.end());
   }

@@ -1,0 +1,148 @@
+#include <expat.h>
+
+#include <algorithm>
+#include <exception>
+#include <liecheck/text/utf8.hpp>
+#include <liecheck/urdf/xml.hpp>
+#include <memory>
+#include <new>
+
+namespace liecheck::urdf_detail {
+namespace {
+
+constexpr const char* xml_space = " \t\r\n";
+
+class TreeBuilder {
+ public:
+  /// `text` begins in `line`.
+  TreeBuilder(std::string_view text, int line, const Messages& messages)
+      : text_(text), messages_(messages), line_(line) {}
+
+  Element root() {
+    if (!parser_) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(
+        parser_.get(),
+        [](void* self, const char* name, const char** attributes) {
+          handle(self, [&](TreeBuilder& b) { b.open(name, attributes); });
+        },
+        [](void* self, const char*) { handle(self, [](TreeBuilder& b) { b.open_.pop_back(); }); });
+    XML_SetStartDoctypeDeclHandler(
+        parser_.get(), [](void* self, const char*, const char* external, const char*, int internal) {
+          handle(self, [&](TreeBuilder& b) {
+            if (external || internal) b.refuseDeclarations();
+          });
+        });
+    const XML_Status status = XML_Parse(parser_.get(), text_.data(), int(text_.size()), XML_TRUE);
+    if (thrown_) std::rethrow_exception(thrown_);
+    if (status != XML_STATUS_OK) refuse(XML_GetErrorCode(parser_.get()));
+    return std::move(document_.children.at(0));
+  }
+
+ private:
+  /// Calls f, until it throws: an exception must not pass through expat, which is written in C. root() throws it again.
+  template <class F>
+  static void handle(void* self, F f) noexcept {
+    TreeBuilder& b = *static_cast<TreeBuilder*>(self);
+    if (b.thrown_) return;
+    try {
+      f(b);
+    } catch (...) {
+      b.thrown_ = std::current_exception();
+      XML_StopParser(b.parser_.get(), XML_FALSE);
+    }
+  }
+
+  /// The place of what expat has read last, or of an error.
+  std::size_t place() const {
+    const XML_Index at = XML_GetCurrentByteIndex(parser_.get());
+    return std::clamp(at < 0 ? 0 : std::size_t(at), at_, text_.size());
+  }
+  /// The line of a place that is not before that of the last call.
+  int lineOf(std::size_t at) {
+    line_ += int(std::count(text_.begin() + long(at_), text_.begin() + long(at), '\n'));
+    at_ = at;
+    return line_;
+  }
+  std::string upTo(char end, std::size_t at) const {
+    return std::string(text_.substr(at, text_.find(end, at + 1) - at));
+  }
+
+  void open(const char* name, const char** attributes) {
+    std::size_t at = place();
+    const std::size_t depth = open_.size();
+    Element& e = open_.back()->children.emplace_back();
+    e.name = name, e.line = lineOf(at);
+    if (depth > max_element_depth)
+      messages_.refuse(e.line, "elements nested too deep", "more than " + std::to_string(max_element_depth));
+    at += 1 + e.name.size();
+    for (; *attributes; attributes += 2) {
+      at = text_.find_first_not_of(xml_space, at);
+      e.attributes.push_back({attributes[0], attributes[1], lineOf(at)});
+      const std::size_t quote = text_.find_first_of("\"'", at);
+      at = text_.find(text_[quote], quote + 1) + 1;
+    }
+    open_.push_back(&e);
+  }
+
+  [[noreturn]] void refuseDeclarations() {
+    const std::size_t at = place();
+    messages_.refuse(lineOf(at), "a DOCTYPE with declarations (entities) is not supported", upTo('>', at));
+  }
+
+  [[noreturn]] void refuse(XML_Error error) {
+    if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+    const bool outside = open_.size() == 1;
+    if (error == XML_ERROR_NO_ELEMENTS && outside) messages_.refuse(1, "no element, expected <robot>", "");
+    const char* malformed = "malformed XML, or cut off";
+    if (error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_TAG_MISMATCH)
+      messages_.refuse(open_.back()->line, malformed, "an element without a closing tag of its name");
+    const std::size_t at = place();
+    if (error == XML_ERROR_JUNK_AFTER_DOC_ELEMENT)
+      messages_.refuse(lineOf(at),
+                       text_[at] == '<' ? "a second root element" : "text outside the root element",
+                       upTo('<', at));
+    messages_.refuse(lineOf(at), malformed, XML_ErrorString(error) + (": " + upTo('\n', at)));
+  }
+
+  std::string_view text_;
+  const Messages& messages_;
+  std::size_t at_ = 0;
+  int line_;  // of at_
+  Element document_;
+  std::vector<Element*> open_{&document_};
+  std::exception_ptr thrown_;
+  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_{XML_ParserCreate("UTF-8"), XML_ParserFree};
+};
+
+}  // namespace
+
+const char* Element::attribute(std::string_view attribute_name) const {
+  for (const Attribute& a : attributes)
+    if (a.name == attribute_name) return a.value.c_str();
+  return nullptr;
+}
+
+const Element* Element::first(std::string_view child_name) const {
+  for (const Element& e : children)
+    if (e.name == child_name) return &e;
+  return nullptr;
+}
+
+Element parseXml(const std::string& text, const Messages& messages) {
+  const auto lineOf = [&](std::size_t at) {
+    return 1 + int(std::count(text.begin(), text.begin() + long(at), '\n'));
+  };
+  const auto refuse = [&](std::size_t at, const char* what) {
+    messages.refuse(lineOf(at), what, "byte " + std::to_string(at));
+  };
+  if (const std::size_t nul = text.find('\0'); nul != std::string::npos) refuse(nul, "a zero byte: not text");
+  if (const std::size_t bad = firstInvalidUtf8(text); bad < text.size()) refuse(bad, "not UTF-8");
+  const std::string_view marked = withoutByteOrderMark(text);
+  const std::size_t first = marked.find_first_not_of(xml_space);
+  if (first == marked.npos) messages.refuse(1, "empty", std::to_string(text.size()) + " bytes");
+  const std::string_view rest = marked.substr(first);
+  return TreeBuilder(rest, lineOf(text.size() - rest.size()), messages).root();
+}
+
+}  // namespace liecheck::urdf_detail
