@@ -132,8 +132,9 @@ std::unique_ptr<Adapter> start_library(const std::string& file, double timeout_s
 /// library prints on standard output goes to standard error.
 void serve(Adapter& adapter, const std::string& memory);
 
-/// The name and the version of the protocol, which begin a conversation.
-inline constexpr const char* greeting = "liecheck 1";
+/// The version of the process protocol, and the line that begins a conversation.
+inline constexpr int protocol_version = 1;
+inline const std::string greeting = "liecheck " + std::to_string(protocol_version);
 
 /// Whether the adapter offers an operation on trees.
 bool offers_trees(const Description& adapter, const std::string& scalar);

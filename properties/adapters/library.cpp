@@ -109,7 +109,8 @@ class Library final : public Adapter {
     if (repeats) Inside::watch();
     if (!its) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
     if (its->interface_version < 1 || its->interface_version > LIECHECK_ADAPTER_VERSION)
-      throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program versions 1 to {}",
+      throw AdapterFailed(fmt::format("{} has version {} of the interface, and liecheck " LIECHECK_VERSION
+                                      " versions 1 to {}",
                                       file, its->interface_version, LIECHECK_ADAPTER_VERSION));
     adapter_ = copied(*its);
     const auto source = exported<decltype(&liecheck_get_source)>(module, "liecheck_get_source");

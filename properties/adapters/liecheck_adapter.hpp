@@ -37,7 +37,7 @@
 // of the exception is the reason.
 
 // Unlike #error, a header that is missing ends the compilation with this one line.
-#if __cplusplus < 202002L
+#if __cplusplus < 201709L  // gcc 10, whose -std=c++20 has what this file needs
 #include <liecheck_adapter.hpp needs C++20: compile with -std=c++20>
 #endif
 

@@ -65,9 +65,10 @@ Description described(const std::string& line) {
     throw wrong("is no JSON");
   }
   if (!j.is_object() || !j.contains("protocol")) throw wrong("has no member 'protocol'");
-  if (j["protocol"] != 1)
+  if (j["protocol"] != protocol_version)
     throw AdapterFailed(fmt::format(
-        "the adapter speaks version {} of the protocol, and this program version 1", j["protocol"].dump()));
+        "the adapter speaks version {} of the protocol, and liecheck " LIECHECK_VERSION " version {}",
+        j["protocol"].dump(), protocol_version));
   Description d;
   for (const auto& [member, to] : {std::pair{"name", &d.name}, {"version", &d.version}}) {
     if (!j.contains(member) || !j[member].is_string()) throw wrong(fmt::format("has no text '{}'", member));
@@ -148,7 +149,7 @@ class Process : public Adapter {
   void start() {
     child_ = child(timeout_s_ + start_s);
     child_->begin();
-    const std::string hello = std::string(greeting) + "\n";
+    const std::string hello = greeting + "\n";
     child_->write(hello.data(), hello.size());
     child_->tell("waiting for an adapter to describe itself");
     Description now = described(child_->line("its description"));

@@ -5,6 +5,7 @@
 #include <sys/sendfile.h>
 #include <unistd.h>
 
+#include <adapters/child.hpp>
 #include <adapters/shared_memory.hpp>
 #include <adapters/trees.hpp>
 #include <algorithm>
@@ -61,7 +62,7 @@ class Output {
 std::string text_of(const Description& d) {
   nlohmann::json operations = nlohmann::json::object();
   for (const auto& [operation, scalar] : d.offered) operations[operation].push_back(scalar);
-  return dumped({{"protocol", 1},
+  return dumped({{"protocol", protocol_version},
                  {"name", d.name},
                  {"version", d.version},
                  {"operations", operations},
@@ -120,8 +121,8 @@ void serve(Adapter& adapter, const std::string& memory) {
   const Output output;
   std::string hello;
   for (char c = 0; c != '\n' && read(0, &c, 1) == 1;) hello += c;
-  if (hello != std::string(greeting) + "\n")
-    throw AdapterFailed("expected the line '" + std::string(greeting) + "'");
+  if (hello != greeting + "\n")
+    throw AdapterFailed("expected the line '" + greeting + "', and not " + quoted(hello));
   output.say(text_of(adapter.description()));
   std::string model;
   for (std::uint32_t done = 0;; ++done) {

@@ -1,7 +1,9 @@
 // The command line. The only file that compiles CLI11.
 
+#include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <adapters/adapter.hpp>
 #include <algorithm>
 #include <app/command.hpp>
 #include <app/command_line.hpp>
@@ -11,6 +13,7 @@
 #include <initializer_list>
 #include <iostream>
 #include <liecheck/text/utf8.hpp>
+#include <rules/rules.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/text.hpp>
@@ -323,7 +326,10 @@ CommandLine::CommandLine(const Program& p, const std::string& typed_line)
   program.name(p.name);
   program.description(fmt::format("{} " LIECHECK_VERSION ": {}.", p.name, p.title));
   program.require_subcommand(1);
-  program.set_version_flag("--version", LIECHECK_VERSION);
+  program.set_version_flag("--version", [] {
+    return fmt::format(LIECHECK_VERSION "\nrules {}\nC interface 1 to {}, process protocol {}",
+                       known_rules().back().version, LIECHECK_ADAPTER_VERSION, adapters::protocol_version);
+  });
   p.add_commands(parts_->commands, typed_line);
   program.formatter_fn([name = p.name](const CLI::App* a, const std::string&, CLI::AppFormatMode) {
     return help_of(*a, name);

@@ -1,5 +1,5 @@
 # cmake -D BUILD=build-tree -D SOURCE=this-folder -D WORK=folder -P test.cmake
-# Installs liecheck from its build tree, and builds and tests a project that finds it.
+# Installs liecheck from its build tree, moves it, and builds and tests a project that finds it.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(output "${output}" PARENT_SCOPE)
@@ -56,7 +56,8 @@ endfunction()
 expect_short(CMakeLists.txt adapter.hpp adapter.cpp)
 expect_short(python/adapter.py)
 file(REMOVE_RECURSE ${WORK})
-run_well(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run_well(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+file(RENAME ${WORK}/installed ${WORK}/prefix)
 run_well(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run_well(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --output-on-failure -j 2)

@@ -76,8 +76,9 @@ TEST(Adapters, ADescriptionThatIsWrongIsRefusedInWords) {
   };
   EXPECT_NE(refusal("hello").find("is no JSON"), std::string::npos);
   EXPECT_NE(refusal("{}").find("has no member 'protocol'"), std::string::npos);
-  EXPECT_EQ(refusal(R"({"protocol": 2})"),
-            "the adapter speaks version 2 of the protocol, and this program version 1");
+  const std::string newer = refusal(R"({"protocol": 2})");
+  EXPECT_TRUE(newer.starts_with("the adapter speaks version 2 of the protocol, and liecheck 0.")) << newer;
+  EXPECT_TRUE(newer.ends_with(" version 1")) << newer;
   EXPECT_NE(refusal(R"({"protocol": 1, "name": 3})").find("has no text 'name'"), std::string::npos);
   EXPECT_NE(refusal(R"({"protocol": 1, "name": "a", "version": "1", "operations": {"exp6": ["half"]}})")
                 .find("neither \"float\" nor \"double\""),

@@ -45,7 +45,9 @@ std::vector<std::string> unknown_flags(const std::string& text) {
 TEST(Pages, UseFlagsThatExist) {
   std::vector<std::string> all = pages();
   EXPECT_GT(all.size(), 12u);
-  for (const char* file : {"install/ci/Containerfile", "install/ci/workflow.yml"}) all.emplace_back(file);
+  for (const char* file : {"install/ci/Containerfile", "install/ci/workflow.yml", "install/ci/github.yml",
+                           "install/ci/gitlab.yml"})
+    all.emplace_back(file);
   for (const std::string& page : all)
     for (const std::string& flag : unknown_flags(read(page))) ADD_FAILURE() << page << ": liecheck " << flag;
 }

@@ -1,0 +1,21 @@
+# An overlay port of vcpkg that installs a released tarball; docs/building.md says how to use it. The tarball and SHA256SUMS
+# stand beside this file.
+set(name liecheck-${VERSION}-linux-x86_64)
+set(tarball ${CURRENT_PORT_DIR}/${name}.tar.gz)
+if(NOT EXISTS ${tarball})
+  message(FATAL_ERROR "${tarball} is missing: copy it and SHA256SUMS from the release into this folder")
+endif()
+file(SHA256 ${tarball} sum)
+file(STRINGS ${CURRENT_PORT_DIR}/SHA256SUMS expected REGEX "^${sum}  ${name}[.]tar[.]gz$")
+if(NOT expected)
+  message(FATAL_ERROR "${tarball} has the sum ${sum}, which ${CURRENT_PORT_DIR}/SHA256SUMS does not have for it")
+endif()
+file(ARCHIVE_EXTRACT INPUT ${tarball} DESTINATION ${CURRENT_BUILDTREES_DIR})
+set(tree ${CURRENT_BUILDTREES_DIR}/${name})
+file(INSTALL ${tree}/include ${tree}/lib ${tree}/bin DESTINATION ${CURRENT_PACKAGES_DIR} USE_SOURCE_PERMISSIONS)
+file(INSTALL ${tree}/share/doc/liecheck/LICENSE DESTINATION ${CURRENT_PACKAGES_DIR}/share/liecheck RENAME copyright)
+# The archives have one build type, and the CMake package and the programs stay where its paths expect them.
+set(VCPKG_POLICY_MISMATCHED_NUMBER_OF_BINARIES enabled)
+set(VCPKG_POLICY_ALLOW_EXES_IN_BIN enabled)
+set(VCPKG_POLICY_SKIP_MISPLACED_CMAKE_FILES_CHECK enabled)
+set(VCPKG_POLICY_SKIP_LIB_CMAKE_MERGE_CHECK enabled)
