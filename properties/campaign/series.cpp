@@ -1,6 +1,6 @@
 // Longer than 400 lines: the members of one class, which each measure or judge one case.
-#include <campaign/series.hpp>
 #include <campaign/robots.hpp>
+#include <campaign/series.hpp>
 #include <campaign/window.hpp>
 #include <invariants/property.hpp>
 
@@ -344,6 +344,13 @@ bool norm_is_far_from_one(const std::vector<Field>& fields, const std::vector<do
   return false;
 }
 
+/// Whether a law hands matrices that are no rotations to an operation that takes rotations, so that a library may refuse them.
+bool gives_no_rotations(const Statement& law) {
+  return law.formed.size() > 0 && std::ranges::any_of(law.fields, [](const ConstantField& field) {
+           return field.kind == Kind::near_rotation;
+         });
+}
+
 }  // namespace
 
 auto Series::scope_of(const std::vector<double>& x) const -> Scope {
@@ -396,7 +403,7 @@ void Series::record_thrown(const std::exception& thrown, const std::vector<doubl
   if (dynamic_cast<const std::bad_alloc*>(&thrown)) throw;  // says nothing about the subject
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
   if (profile != Profile::ours && (!failed || failed->outcome == Outcome::refused) &&
-      norm_is_far_from_one(fields, x))
+      (norm_is_far_from_one(fields, x) || gives_no_rotations(law_->statement())))
     return judge.close(due, Outcome::outside_domain);
   if (failed && failed->outcome == Outcome::outside_domain) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
