@@ -1,4 +1,4 @@
-// urdf/urdf.hpp, description.hpp, xml_check.hpp: files that cannot be read, and texts that are no robot.
+// urdf/urdf.hpp, description.hpp, xml.hpp: files that cannot be read, and texts that are no robot.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -63,12 +63,12 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
   expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 2, "malformed XML",
                 "an element without a closing tag of its name");
   expectRefused("<robot name='r'>\n<link name='a' name='b'/></robot>", 2, "malformed XML",
-                "an attribute without a value, or given twice");
+                "duplicate attribute: name='b'/></robot>");
   EXPECT_TRUE(has(refusal("<robot name='r'>\n<link name=a/></robot>"), "malformed"));
   refusal("not XML at all");
   expectRefused(std::string("<robot name='r'>\n<link name='a'/>\0</robot>", 43), 2, "zero byte", "byte 33");
   expectRefused("<robot name='r'><link name='a'/></robot>\n<robot name='s'/>", 2, "a second root element",
-                "robot");
+                "<robot name='s'/>");
   expectRefused("<robot name='r'><link name='a'/></robot>\nand more", 2, "text outside the root element",
                 "and more");
 }
@@ -100,7 +100,7 @@ TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
   expectRefused(deep, 3, "nested too deep", "more than 64");
 }
 
-/// What takes TinyXML-2 quadratic time at this size takes minutes; all of it together takes below a second.
+/// What takes quadratic time at this size takes minutes; all of it together takes about a second.
 TEST(BadUrdf, AHundredThousandAttributesReferencesOrElementsTakeLinearTime) {
   constexpr int n = 100000;
   std::string attributes, words, references, doctypes, parts;
@@ -115,11 +115,11 @@ TEST(BadUrdf, AHundredThousandAttributesReferencesOrElementsTakeLinearTime) {
   }
   const std::string open = "<robot name='r'>\n<link name='a'", close = "</link></robot>";
   const std::clock_t start = std::clock();
-  expectRefused(open + attributes + ">" + close, 2, "too many attributes in one element", "more than 64");
-  expectRefused(open + ">\n<visual name='" + references + "'/>" + close, 3, "reference does not end",
-                references.substr(0, 16));
-  expectRefused(open + ">\n" + references + close, 3, "reference does not end", references.substr(0, 16));
-  expectRefused(doctypes + "<sdf/>", n + 1, "expected <robot>", "sdf");
+  EXPECT_EQ(loadUrdfText(open + attributes + ">" + close).warnings.size(), std::size_t(n));
+  const std::string token = "bad.urdf:3: malformed XML, or cut off (not well-formed (invalid token): &#&#&#";
+  EXPECT_TRUE(has(refusal(open + ">\n<visual name='" + references + "'/>" + close), token));
+  EXPECT_TRUE(has(refusal(open + ">\n" + references + close), token));
+  expectRefused(doctypes + "<sdf/>", 2, "malformed XML", "syntax error: <!DOCTYPE robot>");
   EXPECT_EQ(loadUrdfText(open + ">" + words + close).warnings.size(), std::size_t(n));
   EXPECT_EQ(buildModelFromUrdfText(open + "/>" + parts + "</robot>").nframes, 2 + 2 * n);
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20) << "s of processor time: not linear";
@@ -145,10 +145,15 @@ TEST(BadUrdf, TextThatIsNotUtf8IsRefusedWithItsLine) {
 
 TEST(BadUrdf, UnmatchedClosingTagsAndEntitiesAreRefused) {
   const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
-  expectRefused(robot + "</robot></robot>", 3, "a closing tag without an opening tag", "</robot>");
-  expectRefused("</robot>" + robot, 1, "a closing tag without an opening tag", "</robot>");
+  expectRefused(robot + "</robot></robot>", 3, "malformed XML",
+                "not well-formed (invalid token): /robot></robot>");
+  expectRefused("</robot>" + robot, 1, "malformed XML",
+                "not well-formed (invalid token): /robot><robot name='r'>");
   expectRefused("<!DOCTYPE robot [<!ENTITY x 'y'>]>\n" + robot, 1, "(entities) is not supported",
                 "[<!ENTITY x 'y'");
+  expectRefused("<!DOCTYPE robot SYSTEM 'robot.dtd'>\n" + robot, 1, "(entities) is not supported",
+                "robot.dtd");
+  expectRefused("<robot name='&r;'/>", 1, "malformed XML", "undefined entity: <robot name='&r;'/>");
   EXPECT_NO_THROW(buildModelFromUrdfText("<!DOCTYPE robot>\n" + robot));
 }
 
@@ -156,6 +161,32 @@ TEST(BadUrdf, AMessageIsOneShortLine) {
   const std::string said = refusal(twoLinks(std::string(1000, 'x'), ""));
   EXPECT_LT(said.size(), 160U) << said;
   EXPECT_TRUE(has(refusal("<robot name='r'>\n<link name='a'/></robot>\nsome\nmore"), "(some more)"));
+}
+
+TEST(Urdf, NamesAreReadWhateverEncodingIsDeclaredAndReferencesAreReplaced) {
+  for (const std::string before : {"", "\xef\xbb\xbf", "\xef\xbb\xbf \r\n\t", "<!-- \xc3\xa9 -->",
+                                   "<?other target?>", "<!DOCTYPE robot>"})
+    for (const std::string encoding :
+         {"", " encoding='ISO-8859-1'", " encoding='UTF-16'", " encoding='klingon'"}) {
+      const bool first = before.find('<') == before.npos;
+      const std::string declaration = first ? "<?xml version='1.0'" + encoding + "?>" : "";
+      EXPECT_EQ(buildModelFromUrdfText(before + declaration +
+                                       "<robot name='\xc3\xa9&lt;&amp;&#65;&#x20AC;'><link name='a'/>"
+                                       "<![CDATA[<link/>]]></robot><!-- after -->")
+                    .name,
+                "\xc3\xa9<&A\xe2\x82\xac");
+    }
+}
+
+TEST(BadUrdf, AnAttributeIsNamedWithItsOwnLine) {
+  const std::string text =
+      "\n<?xml version='1.0'?>\r\n<robot\r\n name = \"r>'\n'\" foo='1'\n bar\n='2'>\n<link "
+      "name='a'/></robot>";
+  const std::vector<std::string> warnings = loadUrdfText(text).warnings;
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_TRUE(warnings[0].starts_with("URDF text:5: ")) << warnings[0];
+  EXPECT_TRUE(warnings[1].starts_with("URDF text:6: ")) << warnings[1];
+  EXPECT_EQ(buildModelFromUrdfText("<robot name='r\t\ns'><link name='a'/></robot>").name, "r\t\ns");
 }
 
 // The seeds and the findings of the fuzzer. Each is a usable robot, or is refused with one short line.

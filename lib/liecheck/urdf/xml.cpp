@@ -30,7 +30,7 @@ class TreeBuilder {
     XML_SetStartDoctypeDeclHandler(
         parser_.get(), [](void* self, const char*, const char* external, const char*, int internal) {
           handle(self, [&](TreeBuilder& b) {
-            if (external || internal) b.refuseDeclarations();
+            if (external || internal) b.refuseDeclarations(internal ? nullptr : external);
           });
         });
     const XML_Status status = XML_Parse(parser_.get(), text_.data(), int(text_.size()), XML_TRUE);
@@ -78,16 +78,20 @@ class TreeBuilder {
     at += 1 + e.name.size();
     for (; *attributes; attributes += 2) {
       at = text_.find_first_not_of(xml_space, at);
-      e.attributes.push_back({attributes[0], attributes[1], lineOf(at)});
-      const std::size_t quote = text_.find_first_of("\"'", at);
-      at = text_.find(text_[quote], quote + 1) + 1;
+      Attribute& a = e.attributes.emplace_back(Attribute{attributes[0], attributes[1], lineOf(at)});
+      const std::size_t quote = text_.find_first_of("\"'", at), end = text_.find(text_[quote], quote + 1);
+      const std::string_view written = text_.substr(quote + 1, end - quote - 1);
+      if (written.find_first_of("&\r") == written.npos) a.value = written;  // expat makes spaces of tabs
+      at = end + 1;
     }
     open_.push_back(&e);
   }
 
-  [[noreturn]] void refuseDeclarations() {
+  /// A DOCTYPE that names a file with declarations, or has declarations that follow.
+  [[noreturn]] void refuseDeclarations(const char* file) {
     const std::size_t at = place();
-    messages_.refuse(lineOf(at), "a DOCTYPE with declarations (entities) is not supported", upTo('>', at));
+    messages_.refuse(lineOf(at), "a DOCTYPE with declarations (entities) is not supported",
+                     file ? file : upTo('>', at));
   }
 
   [[noreturn]] void refuse(XML_Error error) {
