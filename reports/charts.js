@@ -43,6 +43,9 @@ const outcomes = row => [...count(row.not_finite, "NaN or Inf"), ...count(row.wr
   ...count(row.printed, "with text on standard output"), ...count(row.outside_domain, "outside the domain"), ...count(row.ill_posed, "ill-posed"),
   ...count(row.unresolved, "unresolved"), ...count(row.unmeasured, "unmeasured")];
 
+// As in the pictures of the first screen, a mark is filled if it is over budget.
+const markFill = (c, color) => c.raw?.row?.status === "fail" ? color : PAPER();
+
 // The datasets of one chart: a line for each subject and statistic, broken at every slot.
 function datasets(rows, x, y, statistics) {
   const present = subjects.filter(s => rows.some(r => r.subject === s));
@@ -62,14 +65,14 @@ function datasets(rows, x, y, statistics) {
         data.push({x: at, y: value, row, statistic, radius: main ? 4.5 : isSlot(row) ? 2 : 0});
         if (isSlot(row)) data.push({x: at, y: NaN});
       }
-      sets.push({label: subject, data, borderColor: color, backgroundColor: main ? color : PAPER(), borderDash: dash,
+      sets.push({label: subject, data, borderColor: color, backgroundColor: main ? c => markFill(c, color) : PAPER(), borderDash: dash,
         borderWidth: width, pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
         pointHoverRadius: 7, order: main ? 1 : 2, clip: 8});
     }
     const broken = y.ceilings.flatMap(c => own.filter(c.holds).map(row => ({row, statistic: c.name, y: c.value,
       x: x.position.get(row.band) + shift(subject, isSlot(row))})));
     if (broken.length)
-      sets.push({label: subject, data: broken, showLine: false, borderColor: color, backgroundColor: PAPER(),
+      sets.push({label: subject, data: broken, showLine: false, borderColor: color, backgroundColor: c => markFill(c, color),
         borderWidth: 2, pointStyle: shape, pointRadius: 6, pointHoverRadius: 8, order: 0, clip: 8});
   }
   return sets;

@@ -1,8 +1,7 @@
 // Error against time: two charts for each operation, one of float and double and one of every precision.
 
 const costs = numbers.records.flatMap(r => r.cost ? [r.cost] : []);
-const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-double": "crossRot", digits50: "rectRot",
-  digits100: "star"};
+const SCALARS = {float: 3.6, double: 5.5, float128: 7, "double-double": 7, digits50: 7, digits100: 7};  // the radius of a mark
 const NATIVE = ["float", "double"];
 const DOUBLE_EPS = 2 ** -52;
 
@@ -65,8 +64,8 @@ function costPlot(head, points, kind, names) {
   const holder = chartHolder(label, 10, tooltip, () => ({
     plugins: [costNames],
     datasets: [
-      {named: true, showLine: false, data: points, order: 0, pointRadius: 5.5, pointHoverRadius: 8, borderWidth: 2, pointBorderWidth: 2,
-        pointStyle: c => SCALARS[c.raw?.row.scalar] ?? "circle", borderColor: c => c.raw ? lookOf(c.raw.row.subject).color : INK(),
+      {named: true, showLine: false, data: points, order: 0, pointRadius: c => SCALARS[c.raw?.row.scalar] ?? 5.5, pointHoverRadius: 8, borderWidth: 2, pointBorderWidth: 2,
+        pointStyle: c => c.raw ? lookOf(c.raw.row.subject).shape : "circle", borderColor: c => c.raw ? lookOf(c.raw.row.subject).color : INK(),
         backgroundColor: c => !c.raw || c.raw.dominated ? PAPER() : lookOf(c.raw.row.subject).color},
       {data: stairs, order: 1, borderColor: INK(), borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}],
     scales: {
@@ -87,11 +86,11 @@ function costTip({row, all, error, dominated}) {
 
 function costLegend(points, names) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
-  const mark = (shape, color, fill) => drawing(14, {d: MARKERS[shape], stroke: color, "stroke-width": 1.8, fill});
-  for (const s of names.filter(n => points.some(p => p.row.subject === n)))
-    list.append(element("li", {}, mark("circle", lookOf(s).color, lookOf(s).color), s));
-  for (const [scalar, shape] of Object.entries(SCALARS))
-    if (points.some(p => p.row.scalar === scalar)) list.append(element("li", {}, mark(shape, "currentColor", "none"), scalar));
+  const mark = s => drawing(14, {d: MARKERS[lookOf(s).shape], stroke: lookOf(s).color, "stroke-width": 1.8, fill: lookOf(s).color});
+  for (const s of names.filter(n => points.some(p => p.row.subject === n))) list.append(element("li", {}, mark(s), s));
+  const sizes = [["float", "small: float"], ["double", "middle: double"]].filter(([s]) => points.some(p => p.row.scalar === s));
+  if (points.some(p => !NATIVE.includes(p.row.scalar))) sizes.push(["wide", "large: wider scalars"]);
+  if (sizes.length > 1) list.append(element("li", {}, sizes.map(([, words]) => words).join(", ")));
   list.append(element("li", {}, "filled: on the Pareto front; hollow: dominated; dashed line: the Pareto front"));
   return list;
 }

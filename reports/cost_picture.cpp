@@ -48,7 +48,7 @@ struct CostAxes {
 };
 
 /// The looks of the libraries whose marks have no name, and what the marks say.
-std::string legend(const Looks& looks, const std::vector<std::string>& unnamed, bool has_small,
+std::string legend(const Looks& looks, const std::vector<std::string>& unnamed, bool has_small, bool has_many,
                    double& high) {
   std::string out;
   double x = left, y = height + 4;
@@ -62,8 +62,12 @@ std::string legend(const Looks& looks, const std::vector<std::string>& unnamed, 
   }
   if (!unnamed.empty()) y += 14;
   out += text(left, y,
-              std::string("filled: none is faster and as accurate") + (has_small ? "; small: float" : ""),
+              has_many ? "filled: of calls with one input, none is faster and as accurate"
+                       : "filled: none is faster and as accurate",
               "start");
+  const std::string rest = fmt::format("{}{}{}", has_many ? "× n: a batch of n inputs, apart from them" : "",
+                                       has_many && has_small ? "; " : "", has_small ? "small: float" : "");
+  if (!rest.empty()) out += text(left, y += 13, rest, "start");
   high = y + 5;
   return out;
 }
@@ -97,8 +101,7 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
   }
   std::string out = axes.drawn_axes();
   if (!front.empty()) out += fmt::format("<path class=\"front\" d=\"{}H{}\"/>", stairs, right);
-  for (const CostPoint* p : own)
-    placed.keep_free({axes.x(*p) - 5, axes.y(*p) - 5, axes.x(*p) + 5, axes.y(*p) + 5});
+  for (const CostPoint* p : own) placed.keep_mark(axes.x(*p), axes.y(*p));
   Distinct<std::string> unnamed;
   for (const bool of_front : {true, false})
     for (const CostPoint* p : own) {
@@ -118,7 +121,8 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
     }
   double high = height;
   out += legend(looks, unnamed,
-                std::ranges::any_of(own, [](const CostPoint* p) { return p->scalar == "float"; }), high);
+                std::ranges::any_of(own, [](const CostPoint* p) { return p->scalar == "float"; }),
+                std::ranges::any_of(own, [](const CostPoint* p) { return p->batch > 1; }), high);
   return drawn(
       fmt::format("Correct digits of {} over the time of a call. Pareto front: {}.", operation, spoken),
       out + marks + names, high);

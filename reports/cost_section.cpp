@@ -22,9 +22,11 @@ std::string fronts(const Looks& looks, const Json& cost) {
     for (const CostRegion& region : cost_regions(cost)) {
       const std::string picture = cost_picture(looks, cost_points(cost, region.bands.front()), operation);
       if (!picture.empty())
-        panels += fmt::format(
-            "<figure><figcaption>{}</figcaption><p class=\"note\">{}</p>{}</figure>", region.name,
-            cost_sentence(region_points(cost, operation, region), only_library(looks.merged)), picture);
+        panels +=
+            fmt::format("<figure><figcaption>{}</figcaption><p class=\"note\">{}</p>{}</figure>", region.name,
+                        cost_sentence(region_points(cost, operation, region), only_library(looks.merged),
+                                      JudgedIn(looks, operation)),
+                        picture);
     }
     if (!panels.empty())
       out += fmt::format(
@@ -101,7 +103,7 @@ std::string cost_section(const Looks& looks) {
     Distinct<std::string> operations;
     for (const CostPoint& p : points) operations.add(p.operation);
     const std::string counter = cost["no_counter"];
-    out += fronts(looks, cost) + cost_advice(cost, only_library(looks.merged));
+    out += fronts(looks, cost) + cost_advice(cost, looks);
     out += fmt::format(
         "<p class=\"note\">Subjects of the program are called through a function pointer. All of a scalar "
         "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "

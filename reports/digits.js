@@ -50,9 +50,9 @@ function worstCase(row) {
 function regionRows(region, rows) {
   const row = worstOf(rows), rule = row.rule === "excess" ? "excess" : "eps";
   const toggle = element("button", {type: "button", class: "case", "aria-expanded": "false"}, "worst input, got, expected");
-  const line = element("tr", {"data-region": region.key}, element("th", {scope: "row"}, region.name), number(digitsKept(row).toFixed(1)),
+  const line = element("tr", {"data-region": region.key}, element("th", {scope: "row"}, region.name), number(row.outcome || row.status === "ill-posed" ? "–" : digitsKept(row).toFixed(1)),
     element("td", {}, `${row.block}, ${row.band}`),
-    number(notFinite(row) ? "NaN or Inf" : row.wrong_branch > 0 ? "wrong branch" : `${short(judgedError(row))} ${rule}`), number(short(row.budget)),
+    number(row.outcome ? errorWords(row) : `${short(judgedError(row))} ${rule}`), number(short(row.budget)),
     element("td", {}, element("span", {class: `status ${row.status}`}, row.status)), number(String(sum(rows, "not_finite"))),
     number(String(sum(rows, "wrong_branch"))), element("td", {}, toggle));
   const below = element("tr", {hidden: ""}, element("td", {colspan: "9"}));

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <reports/html.hpp>
 #include <reports/picture.hpp>
+#include <reports/summary.hpp>
 #include <sstream>
+#include <tuple>
 
 namespace liecheck::reports {
 namespace {
@@ -12,7 +14,8 @@ namespace {
 using Place = std::array<std::string, 3>;  // operation, subject, scalar
 using Boxes = std::array<std::vector<const Json*>, regions.size()>;
 
-/// One box: the digits that the worst case keeps, N for NaN or Inf, B for a wrong branch, or a dot.
+/// One box: the digits that the worst case keeps, the mark of an outcome without digits, or a dot; a dash, if the input
+/// determines no digit; the error, if it is over a budget below one eps.
 std::string box(const Looks& looks, const std::vector<const Json*>& rows, bool wide) {
   if (rows.empty()) return "<i>·</i>";
   const Json& worst = **std::ranges::max_element(rows, {}, [](const Json* r) { return severity(*r); });
@@ -21,17 +24,19 @@ std::string box(const Looks& looks, const std::vector<const Json*>& rows, bool w
   };
   const std::string outcome = outcome_of(worst);
   const double kept = looks.digits.all(worst) - looks.digits.lost(worst);
-  const std::string words = !outcome.empty() ? outcome.substr(0, 1) == "N" ? "N" : "B"
+  const bool mildly = outcome.empty() && looks.digits.lost(worst) < 2,
+             tiny = mildly && worst["status"] == "fail" && looks.digits.lost(worst) < .05;
+  const char kind = any("fail")                              ? mildly ? 'm' : 'f'
+                    : any("expected")                        ? 'e'
+                    : any("pass")                            ? 'p'
+                    : any("unresolved") || any("unmeasured") ? 'o'
+                                                             : 'i';
+  const std::string words = !outcome.empty() ? mark_of(outcome)
+                            : kind == 'i'    ? "–"
+                            : tiny           ? wide ? fmt::format("{:.1g} ε", judged(worst)) : "ε"
                             : wide           ? fmt::format("{:.1f}", kept)
                                              : fmt::format("{}", std::floor(kept + .05));
-  const bool mildly = outcome.empty() && looks.digits.lost(worst) < 2;
-  return fmt::format("<i class={}>{}</i>",
-                     any("fail")                              ? mildly ? "m" : "f"
-                     : any("expected")                        ? "e"
-                     : any("pass")                            ? "p"
-                     : any("unresolved") || any("unmeasured") ? "o"
-                                                              : "i",
-                     words);
+  return fmt::format("<i class={}>{}</i>", kind, words);
 }
 
 /// The operations in the order of docs/operations.md, then all others; those that fail first.
@@ -56,7 +61,45 @@ std::string time_box(double ns) {
                                                 : fmt::format("{:.0f}", ns));
 }
 
+/// What the boxes of a table mean, of those that it has.
+std::string key_of(const std::string& table) {
+  std::string out;
+  const auto has = [&](const std::string& part) { return table.find(part) != table.npos; };
+  for (const auto& [kind, mark, words] : {std::tuple('f', "8", "over budget"),
+                                          {'m', "14", "over budget by fewer than two digits"},
+                                          {'p', "15", "within"},
+                                          {'o', "6", "not wholly measured"},
+                                          {'e', "6", "fails as its limits file expects"},
+                                          {'i', "–", "ill-posed: the input determines no digit"}})
+    if (has(fmt::format("<i class={}>", kind)))
+      out += fmt::format("{}<span class=\"boxes key\"><i class={}>{}</i></span> {}", out.empty() ? "" : ", ",
+                         kind, mark, words);
+  for (const auto& [mark, words] : {std::pair("N", "NaN or Inf"),
+                                    {"B", "wrong branch"},
+                                    {"R", "refused, though it is a valid input"},
+                                    {"!", "another fault of the call, which its cell names"},
+                                    {"ε", "an error of at most about one eps, over a budget below it"}})
+    if (has(fmt::format("{}</i>", mark))) out += fmt::format("; {}: {}", mark, words);
+  return out;
+}
+
 }  // namespace
+
+std::string digits_note(const std::string& table) {
+  const bool timed = table.find("<em>") != table.npos;
+  return fmt::format(
+      "<p class=\"note\">Digits that the worst case found keeps, in seven regions of the angle: near 0 "
+      "(below 10⁻⁸) and near "
+      "π (closer than 10⁻⁸), both extreme but for 0 and π themselves; small (to 10⁻²), middle, below π, "
+      "beyond π, and "
+      "without an angle. A double has 15.7, a float 6.9. {}. Where the problem itself amplifies rounding, "
+      "only digits "
+      "beyond its condition number count. Sampling finds a <b>lower bound</b> of the worst error. "
+      "{}{}Operations that fail "
+      "come first, otherwise in the order of the documentation. A cell opens its worst inputs.</p>\n",
+      key_of(table), timed ? "ns: the time of a call; – there: not timed. " : "",
+      table.find("absent>") != table.npos ? "A lone –: not offered. " : "");
+}
 
 std::string digits_table(const Looks& looks) {
   std::map<Place, Boxes> cells;

@@ -69,6 +69,14 @@ bool Names::is_free(const Box& box) const {
          });
 }
 
+bool Names::is_clear(const Box& box, double x, double y, double clear) const {
+  return std::ranges::all_of(marks_, [&](const auto& mark) {
+    const auto [mx, my] = mark;
+    return std::hypot(mx - x, my - y) < .5 || std::hypot(std::max({box.x0 - mx, 0.0, mx - box.x1}),
+                                                         std::max({box.y0 - my, 0.0, my - box.y1})) >= clear;
+  });
+}
+
 std::string Names::name(double x, double y, const std::string& words, const char* kind) {
   const double wide = letter * static_cast<double>(words.size()) * (*kind ? 1.1 : 1);
   const auto box_at = [&](double from, double down) {
@@ -81,19 +89,21 @@ std::string Names::name(double x, double y, const std::string& words, const char
                                    {x + 6, y - 5},
                                    {x + 6, y + 12},
                                    {x - 6 - wide, y - 5}}) {
-    if (!is_free(box_at(from, down))) continue;
+    if (!is_free(box_at(from, down)) || !is_clear(box_at(from, down), x, y, 8)) continue;
     taken_.push_back(box_at(from, down));
     return text(from, down, words, "start", kind);
   }
-  for (double far = 16; far < 80; far += 8)
-    for (int i = 0; i < 16; ++i) {
-      const double angle = std::numbers::pi * i / 8, px = x + far * std::cos(angle),
-                   py = y + far * std::sin(angle);
-      const double from = px >= x ? px : px - wide, down = py + 3.5;
-      if (!is_free(box_at(from, down))) continue;
-      taken_.push_back(box_at(from, down));
-      return line(x, y, px, py, "lead") + text(from, down, words, "start", kind);
-    }
+  for (const double clear : {9.0, 0.0})  // of other marks
+    for (double far = 16; far < 56; far += 4)
+      for (int i = 0; i < 16; ++i) {
+        const double angle = std::numbers::pi * i / 8, px = x + far * std::cos(angle),
+                     py = y + far * std::sin(angle);
+        const double from = px >= x ? px : px - wide, down = py + 3.5;
+        const Box box = box_at(from, down);
+        if (!is_free(box) || !is_clear(box, x, y, clear)) continue;
+        taken_.push_back(box);
+        return line(x, y, px, py, "lead") + text(from, down, words, "start", kind);
+      }
   return "";
 }
 

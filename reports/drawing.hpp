@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace liecheck::reports {
@@ -42,12 +43,17 @@ class Names {
     double x0, y0, x1, y1;
   };
   void keep_free(const Box& box) { taken_.push_back(box); }
+  /// Keeps a mark free; the names of others keep clear of it, where there is room.
+  void keep_mark(double x, double y) { keep_free({x - 5, y - 5, x + 5, y + 5}), marks_.emplace_back(x, y); }
   /// The name of the point (x, y), or "".
   std::string name(double x, double y, const std::string& words, const char* kind);
 
  private:
   bool is_free(const Box& box) const;
+  /// Whether all marks but that at (x, y) are so far from the box.
+  bool is_clear(const Box& box, double x, double y, double clear) const;
   std::vector<Box> taken_;
+  std::vector<std::pair<double, double>> marks_;
 };
 
 }  // namespace liecheck::reports

@@ -121,7 +121,7 @@ function legend(rows, statistics) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
   for (const s of subjects.filter(s => rows.some(r => r.subject === s)))
     list.append(element("li", {}, swatch(s), s));
-  list.append(element("li", {}, statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).join(", ")));
+  list.append(element("li", {}, statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).concat("filled mark: over budget").join(", ")));
   const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name), largest = 10 ** ceilingOf(rows);
   if (rows.some(r => r.max_eps > largest)) above.unshift("worst inputs far above all others");
   if (above.length) list.append(element("li", {}, `at the top edge: ${above.join("; ")}`));

@@ -29,19 +29,19 @@ std::vector<std::string> names_in(const std::string& list) {
 
 /// A finding of a record and what its text names.
 struct Told {
-  const Json& finding;
+  const Json* finding;
   FindingText text;
   std::vector<std::string> blocks, others;  ///< blocks of its operation; operations that fail in the same way
 
-  explicit Told(const Json& f) : finding(f), text(parts_of(f["text"])) {
+  explicit Told(const Json& f) : finding(&f), text(parts_of(f["text"])) {
     const auto open = text.title.find(" ("), close = text.title.find(')');
     if (open != std::string::npos && close != std::string::npos && open < close)
       blocks = names_in(text.title.substr(open + 2, close - open - 2));
     for (const auto& [name, words] : text.lines)
       if (name == "so") others = names_in(words.substr(0, words.find(" fail")));
   }
-  std::string subject() const { return finding["subject"]; }
-  std::string operation() const { return finding["operation"]; }
+  std::string subject() const { return (*finding)["subject"]; }
+  std::string operation() const { return (*finding)["operation"]; }
   bool has_block(const std::string& block) const { return std::ranges::count(blocks, block) > 0; }
 };
 
@@ -68,7 +68,8 @@ std::string bands_of(const Looks& looks, const Told& told) {
     if (row["subject"] == told.subject() && row["operation"] == told.operation() && row["axis"] != "none" &&
         row["count"] > 0 && (!first || rank(row) > rank(*first)))
       first = &row;
-  if (!first) return "";
+  if (!first || (*first)["status"] != "fail" || (*first)["block"] == "sign" || told.text.is_refusal())
+    return "";
   std::vector<const Json*> rows;
   for (const Json& row : looks.merged.results)
     if (std::ranges::all_of(std::array{"subject", "operation", "block", "property", "scalar"},
@@ -146,8 +147,9 @@ std::string price_of(const Looks& looks, const Json& finding) {
     if (record.contains("cost")) cost = &record["cost"];
   if (!cost) return "";
   if (!only_library(looks.merged).empty()) {
-    const std::string price = cost_sentence(region_points(*cost, operation, every_angle()), subject);
-    return price.empty() ? "" : "on other inputs, which are not chosen to fail: " + price;
+    const std::string price =
+        cost_sentence(region_points(*cost, operation, every_angle()), subject, JudgedIn(looks, operation));
+    return price.empty() ? "" : timed_inputs(*cost) + ": " + price;
   }
   const auto judged = [&](const std::string& name) {
     return !looks.wrong.contains({name, operation}) &&
@@ -168,10 +170,18 @@ std::string price_of(const Looks& looks, const Json& finding) {
   const auto words = [](const CostPoint& p) {
     return fmt::format("{:.1f} digits in {}", shown_digits(p), time_text(p.latency));
   };
-  return words(*own) + " on inputs that are not chosen to fail" +
+  return words(*own) + " " + timed_inputs(*cost) +
          (better && better->error < .1 * own->error
               ? fmt::format("; {}, which is within budget, has {}", escaped(better->subject), words(*better))
               : std::string());
+}
+
+/// The lines of an example: those of an error message one after another, and of which numbers the digits are.
+std::string example_words(std::string words) {
+  for (auto at = words.find("\\n"); at != words.npos; at = words.find("\\n")) words.replace(at, 2, " ");
+  static const std::string counted = " is right: ", lost = " digits lost";
+  if (words.find(counted) == words.npos || !words.ends_with(lost)) return words;
+  return words + " of the whole result, by its norm; the input is plain, and the heading is of the worst one";
 }
 
 /// The article of a finding.
@@ -183,8 +193,8 @@ std::string article(const Looks& looks, const Told& told, bool one_library, cons
     else if (name == "hard")
       lines.emplace_back(name, hard.empty() ? escaped(words) : hard);
     else
-      lines.emplace_back(escaped(name), escaped(words));
-  if (const std::string price = price_of(looks, told.finding); !price.empty())
+      lines.emplace_back(escaped(name), escaped(name == "example" ? example_words(words) : words));
+  if (const std::string price = price_of(looks, *told.finding); !price.empty())
     lines.emplace_back("time", price);
   std::string list;
   for (const auto& [name, words] : lines) list += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, words);
@@ -208,6 +218,7 @@ std::string findings_section(const Looks& looks) {
   std::vector<Told> all;
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings")) all.emplace_back(finding);
+  std::ranges::stable_partition(all, [](const Told& t) { return !t.text.is_refusal(); });
   std::set<std::pair<std::string, std::string>> seen;
   std::string out;
   for (const Told& told : all) {
@@ -218,9 +229,13 @@ std::string findings_section(const Looks& looks) {
   if (out.empty() && further.empty()) return "";
   return fmt::format(
       "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is "
-      "wrong{}</h2>\n{}{}</section>\n",
+      "wrong{}</h2>\n{}{}{}</section>\n",
       all.empty() ? std::string()
                   : fmt::format(": {} finding{}", all.size(), all.size() == 1 ? "" : "s, the worst first"),
+      all.empty()
+          ? ""
+          : "<p class=\"note\">The cases that a finding counts are those of its bands of angles or, with "
+            "“elsewhere”, inputs that are probed for it.</p>\n",
       out, further);
 }
 

@@ -47,6 +47,9 @@ std::string findings_section(const Looks& looks);
 /// The table of digits: operations by libraries and scalars, with a box for each region of the angle.
 std::string digits_table(const Looks& looks);
 
+/// What its boxes mean.
+std::string digits_note(const std::string& table);
+
 /// Section "What accuracy costs in time": advice, the price of each further digit, every row.
 std::string cost_section(const Looks& looks);
 

@@ -98,9 +98,9 @@ FirstScreen::Question price_question(const Looks& looks, std::vector<std::string
                                                       : points.front().operation;
   all.pictures.front().second = cost_picture(looks, points, operation);
   if (!all.pictures.front().second.empty())
-    all.answer = fmt::format(
-        "<b>{}</b>. {}", escaped(operation),
-        cost_sentence(region_points(*cost, operation, every_angle()), only_library(looks.merged)));
+    all.answer = fmt::format("<b>{}</b>. {}", escaped(operation),
+                             cost_sentence(region_points(*cost, operation, every_angle()),
+                                           only_library(looks.merged), JudgedIn(looks, operation)));
   return all;
 }
 

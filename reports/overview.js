@@ -9,13 +9,12 @@ const epsOf = row => find("subjects", s => s.name === row.subject && s.scalar ==
 const judgedError = row => row.rule === "excess" ? row.max_excess : row.max_eps;
 const digitsOfScalar = row => -Math.log10(epsOf(row));
 const digitsKept = row => digitsOfScalar(row) - row.lost;
-const severity = row => (row.status === "fail" ? 100 : 0) + row.lost + (notFinite(row) ? 3 : 0) + (row.wrong_branch > 0 ? 2 : 0);
+const severity = row => (row.status === "fail" ? 100 : 0) + row.lost + (notFinite(row) ? 3 : 0) + (row.outcome === "wrong branch" ? 2 : 0);
 // Of the rows of one cell and region, page_numbers() marks the worst; it alone has its input on the page.
 const worstOf = rows => rows.find(r => r.worst?.shown && rows.every(o => ["region", "subject", "operation", "scalar"]
   .every(name => o[name] === r[name]))) ?? rows.reduce((a, b) => severity(b) > severity(a) ? b : a);
 function errorWords(row) {
-  if (notFinite(row)) return "NaN or Inf";
-  if (row.wrong_branch > 0) return "wrong branch";
+  if (row.outcome) return row.outcome === "bad call" ? outcomes(row).join(", ") : row.outcome;
   return `${row.lost.toFixed(1)} of ${digitsOfScalar(row).toFixed(1)} digits lost`;
 }
 

@@ -285,6 +285,7 @@ std::string first_comment(const std::string& text) {
 std::string page(const Merged& merged, const Json& numbers) {
   const Looks looks(merged);
   const FirstScreen screen = first_screen(looks);
+  const std::string digits = digits_table(looks);
   const std::map<std::string_view, std::string> slots = {
       {"style", files({"picture.css", "page.css", "stability.css", "scenes.css"})},
       {"chart library", compressed(files({"chart.min.js"}))},
@@ -298,7 +299,8 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"verdict", warnings(merged) + verdict_lines(looks, screen)},
       {"answers", answers_section(screen)},
       {"findings", findings_section(looks)},
-      {"digits", digits_table(looks)},
+      {"digits", digits},
+      {"digits note", digits_note(digits)},
       {"stability", stability_counts(merged)},
       {"campaign", campaign_section(merged)},
       {"standings", standings_section(merged)},

@@ -64,6 +64,7 @@ void shorten_results(Json& results, const Digits& digits) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     Json& row = results[i];
     row["region"] = regions[region_of(row)].key;
+    row["outcome"] = outcome_of(row);
     row["lost"] = std::round(100 * digits.lost(row)) / 100;
     row.erase("reason");
     for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) shorten(row[name]);

@@ -53,7 +53,8 @@ double y_of_digits(double lost, double all) {
   return bottom - 4 - (bottom - 4 - top - 16) * lost / all;
 }
 
-std::string error_frame(const Bands& bands, double all, bool outcomes) {
+/// `outcome`: the name of the level above all digits, or "".
+std::string error_frame(const Bands& bands, double all, const std::string& outcome) {
   std::string out;
   if (bands.slots_to > bands.slots_from) {
     out += fmt::format("<rect class=\"slot\" x=\"{:.4g}\" y=\"{}\" width=\"{:.4g}\" height=\"{}\"/>",
@@ -76,7 +77,7 @@ std::string error_frame(const Bands& bands, double all, bool outcomes) {
            text(left - 4, y_of_digits(d, all) + 3.5, fmt::format("{}", d), "end");
   out += line(left, y_of_digits(all, all), right, y_of_digits(all, all), "rim") +
          text(left - 4, y_of_digits(all, all) + 3.5, "all", "end");
-  if (outcomes) out += text(left - 4, top + 6, "NaN", "end");
+  if (!outcome.empty()) out += text(left - 4, top + 6, outcome, "end");
   out += text((left + right) / 2, height - 12,
               bands.reverse ? "π − θ [rad]: θ grows to the right" : "angle θ [rad]");
   return out;
@@ -143,7 +144,10 @@ std::string error_picture(const Looks& looks, const std::vector<const Json*>& ro
   if (own.empty()) return "";
   const Bands bands(own, axis != "theta");
   std::ranges::stable_sort(own, {}, [&](const Json* r) { return bands.place.at((*r)["band"]); });
-  const bool outcomes = std::ranges::any_of(own, [](const Json* r) { return !outcome_of(*r).empty(); });
+  std::string outcomes;
+  for (const Json* r : own)
+    if (const std::string outcome = outcome_of(*r); !outcome.empty() && outcomes != "NaN")
+      outcomes = *mark_of(outcome) == 'N' ? "NaN" : mark_of(outcome);
   std::string out = error_frame(bands, looks.digits.all(*own.front()), outcomes), spoken;
   for (const auto& [subject, look] : looks.of) {
     std::vector<const Json*> mine;

@@ -27,13 +27,21 @@ bool is_ordinary(const Json& row) {
 
 std::string outcome_of(const Json& row) {
   if (row["not_finite"] > 0 || row["max_eps"].is_string()) return "NaN or Inf";
-  return row["wrong_branch"] > 0 ? "wrong branch" : "";
+  const bool fails = row["status"] == "fail";
+  if (row["wrong_branch"] > 0 || (fails && row["block"] == "sign")) return "wrong branch";
+  if (!fails || judged(row) > row["budget"].get<double>()) return "";
+  return row["refused"] > 0 ? "refused" : "bad call";
+}
+
+const char* mark_of(const std::string& outcome) {
+  return outcome == "NaN or Inf" ? "N" : outcome == "wrong branch" ? "B" : outcome == "refused" ? "R" : "!";
 }
 
 double severity(const Json& row) {
   const double lost = judged(row);
   return (row["status"] == "fail" ? 1e6 : 0) + (row["not_finite"] > 0 || !std::isfinite(lost) ? 3e3 : 0) +
-         (row["wrong_branch"] > 0 ? 2e3 : 0) + (lost > 1 && std::isfinite(lost) ? std::log10(lost) : 0);
+         (outcome_of(row) == "wrong branch" ? 2e3 : 0) +
+         (lost > 1 && std::isfinite(lost) ? std::log10(lost) : 0);
 }
 
 Digits::Digits(const Merged& merged) {
@@ -48,7 +56,8 @@ double Digits::all(const Json& row) const {
 
 double Digits::lost(const Json& row) const {
   const double error = judged(row);
-  if (!outcome_of(row).empty() || !std::isfinite(error)) return all(row);
+  const std::string outcome = outcome_of(row);
+  if (outcome == "NaN or Inf" || outcome == "wrong branch" || !std::isfinite(error)) return all(row);
   return std::clamp(std::log10(std::max(error, 1.0)), 0.0, all(row));
 }
 
@@ -98,6 +107,16 @@ std::string hard_counts(const std::vector<HardCase>& cases) {
     if (const auto n = std::ranges::count(cases, v, &HardCase::verdict); n > 0)
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", n, hard_verdicts[v]);
   return all;
+}
+
+std::string FindingText::line(const std::string& name) const {
+  const auto at = std::ranges::find(lines, name, [](const auto& one) { return one.first; });
+  return at == lines.end() ? "" : at->second;
+}
+
+bool FindingText::is_refusal() const {
+  return title.find(": refused in ") != title.npos && title.find("lost") == title.npos &&
+         title.find("NaN") == title.npos;
 }
 
 FindingText parts_of(const std::string& finding) {

@@ -32,8 +32,11 @@ bool is_ordinary(const Json& row);
 /// Larger is worse: failing rows first, then by outcome, then by the digits lost.
 double severity(const Json& row);
 
-/// "NaN or Inf" or "wrong branch" if a case of the row had that outcome, else "".
+/// "NaN or Inf" or "wrong branch" if a case of the row had that outcome; of a row that fails though no measured error is over
+/// its budget, "refused" or "bad call"; else "".
 std::string outcome_of(const Json& row);
+/// N, B, R or !: the mark of such an outcome.
+const char* mark_of(const std::string& outcome);
 
 /// The digits of each subject in each scalar, and those that rows lose.
 class Digits {
@@ -41,7 +44,7 @@ class Digits {
   explicit Digits(const Merged& merged);
   /// -log10 eps: 15.7 for double.
   double all(const Json& row) const;
-  /// log10 of the judged error in eps, from 0 to all of them; all, if the row has an outcome without an error.
+  /// log10 of the judged error in eps, from 0 to all of them; all, if results are not finite or of a wrong branch.
   double lost(const Json& row) const;
   /// "7.4 of 15.7 digits lost", "all 15.7 digits lost", or the outcome.
   std::string words(const Json& row) const;
@@ -75,6 +78,9 @@ std::string hard_counts(const std::vector<HardCase>& cases);
 struct FindingText {
   std::string title;
   std::vector<std::pair<std::string, std::string>> lines;  ///< "where", "perhaps", "example", "replay", ...
+  std::string line(const std::string& name) const;
+  /// Whether nothing but a refusal is told: what refuses loses no digits silently.
+  bool is_refusal() const;
 };
 FindingText parts_of(const std::string& finding);
 

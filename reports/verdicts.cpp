@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ranges>
 #include <reports/drawing.hpp>
 #include <reports/html.hpp>
@@ -18,18 +19,25 @@ std::string plural(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
+/// ", at theta < 1", ", everywhere" or ", only if ..." of the place of a finding, without its counts; "" if it names none.
+std::string where_words(const std::string& line) {
+  const std::string where = line.substr(0, line.find(": "));
+  if (where.empty() || where == "no condition found") return "";
+  const bool is_whole = where.starts_with("everywhere") || where.starts_with("only if");
+  return fmt::format("<span class=\"where\">, {}{}</span>", is_whole ? "" : "at ", escaped(where));
+}
+
 /// The worst of what a subject gets wrong: its first finding, or its worst row.
 std::string worst_of(const Looks& looks, const std::string& subject,
                      const std::vector<const Json*>& failing) {
+  std::optional<FindingText> first;
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings"))
       if (finding["subject"] == subject) {
         const FindingText parts = parts_of(finding["text"]);
-        std::string where;
-        for (const auto& [name, words] : parts.lines)
-          if (name == "where") where = words;
-        return fmt::format("{}<span class=\"where\">, where {}</span>", escaped(parts.title), escaped(where));
+        if (!first || (first->is_refusal() && !parts.is_refusal())) first = parts;
       }
+  if (first) return escaped(first->title) + where_words(first->line("where"));
   const Json& row = **std::ranges::max_element(failing, {}, [](const Json* r) { return severity(*r); });
   return fmt::format("{} ({}): {} in {}, {}", text_of(row, "operation"), text_of(row, "block"),
                      looks.digits.words(row), text_of(row, "scalar"), regions[region_of(row)].name);
@@ -198,8 +206,15 @@ std::string near_words(const Looks& looks) {
     }
     return fmt::format("Not {}: {}", where, fmt::join(words, ", "));
   };
+  Distinct<std::string> elsewhere;
+  for (const auto& [subject, operation] : looks.wrong) elsewhere.add(operation);
+  const std::vector<std::string>& others = elsewhere;
   return zero.empty() && pi.empty()
-             ? "Yes, every operation"
+             ? others.empty()
+                   ? "Yes, every operation"
+                   : fmt::format("Yes, every operation; the failures are elsewhere: {}{}",
+                                 escaped(fmt::format("{}", fmt::join(others | std::views::take(3), ", "))),
+                                 others.size() > 3 ? ", …" : "")
              : names("near 0", "below 10⁻⁸", zero) + ". " + names("near π", "closer than 10⁻⁸", pi);
 }
 

@@ -114,8 +114,17 @@ std::string how_bad(const std::vector<const FailedBlock*>& blocks) {
       if (first->block != "sign" && worst_outcome(*first->worst->row).empty() &&
           other->operation == f->operation && other->scalar == f->scalar && other->score > f->score)
         f = other;
-    all.push_back(f->block == "sign" ? fmt::format("-Q is returned where Q is nearer, in {}", f->scalar)
-                                     : fmt::format("{} in {}", what_of(*f), f->scalar));
+    const bool any_not_finite = std::ranges::any_of(blocks, [&](const FailedBlock* other) {
+      return other->operation == f->operation && other->scalar == f->scalar &&
+             std::ranges::any_of(other->bands,
+                                 [](const BandOf& b) { return b.fails && b.row->not_finite > 0; });
+    });
+    const std::string what = what_of(*f);
+    all.push_back(f->block == "sign"
+                      ? fmt::format("-Q is returned where Q is nearer, in {}", f->scalar)
+                      : fmt::format("{}{} in {}", what,
+                                    any_not_finite && what.find("NaN") == what.npos ? ", or NaN or Inf," : "",
+                                    f->scalar));
   }
   return fmt::format("{}", fmt::join(all, ", "));
 }

@@ -46,11 +46,38 @@ TEST(CostReport, OfOneLibraryComparesItWithWhatItsFormulaCouldReachAndAdvertises
   const RegionPoint series = point("liecheck:fast", 20, 8e-16), tight = point("liecheck:tight", 900, 1e-16);
   EXPECT_EQ(cost_sentence({point("textbook", 9, 1e-8), point("mine", 10, 1e-8), series, tight}, "mine"),
             "double: 8.0 digits, 10 ns; a series (liecheck:fast) wins <b>7.1 digits for "
-            "10 ns</b>, at "
+            "10 ns more</b>, at "
             "theta 1e-12..1e-5.");
   EXPECT_EQ(cost_sentence({point("mine", 10, 9e-16), series, tight}, "mine"), "double: 15.0 digits, 10 ns.");
+  EXPECT_EQ(cost_sentence({series, point("mine", 40, 1e-8), tight}, "mine"),
+            "double: 8.0 digits, 40 ns; a series (liecheck:fast) wins <b>7.1 digits for 20 ns less</b>, at "
+            "theta 1e-12..1e-5.");
   EXPECT_EQ(cost_sentence({series, point("mine", 40, 9e-16), tight}, "mine"),
-            "double: 15.0 digits, 40 ns; a series (liecheck:fast) has no fewer and takes 20 ns.");
+            "double: 15.0 digits, 40 ns; a series (liecheck:fast) has no fewer in 20 ns instead of 40 ns.");
+}
+
+TEST(CostReport, AdvisesNothingThatIsWrongAndRepairsNothingThatIsRight) {
+  const auto points = [](double error) {
+    return std::vector{point("textbook", 9, 2e-16), point("mine", 10, error), point("liecheck", 20, 3e-16)};
+  };
+  JudgedIn judged;
+  EXPECT_TRUE(has(cost_sentence(points(1e-8), "mine", judged), "a compensated series (liecheck) wins"));
+  judged.right = {"mine"};
+  EXPECT_EQ(cost_sentence(points(1e-8), "mine", judged),
+            "double: 8.0 digits, 10 ns, within budget; a compensated series (liecheck) keeps 15.5 for 10 ns "
+            "more.");
+  judged = {}, judged.right = {"textbook"};
+  EXPECT_TRUE(has(cost_sentence(points(1e-8), "", judged), "take <b>textbook in double</b>"));
+  judged = {}, judged.wrong = {"textbook", "mine"};
+  EXPECT_TRUE(has(cost_sentence(points(1e-8), "", judged), "take <b>liecheck in double</b>"));
+  judged.wrong.insert("liecheck");
+  EXPECT_EQ(cost_sentence(points(1e-8), "", judged), "None that was timed is right.");
+}
+
+TEST(CostReport, OfADifferenceNamesTheProduct) {
+  RegionPoint own = point("mine", 10, 1e-4), product = point("liecheck", 20, 3e-16);
+  own.operation = product.operation = "difference";
+  EXPECT_TRUE(has(cost_sentence({own, product}, "mine"), "a compensated product (liecheck) wins"));
 }
 
 RegionPoint many(const char* subject, double ns, double error) {

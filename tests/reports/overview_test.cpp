@@ -90,7 +90,7 @@ TEST(Verdicts, SayWhereTheInputDeterminesNothing) {
   EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=p>15.7</i>"));
   all.results[1]["status"] = "ill-posed";
   EXPECT_TRUE(has(screen_of(all).lines[0].words, "wherever the input determines the result."));
-  EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=i>"));
+  EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=i>–</i>"));
   EXPECT_FALSE(has(digits_table(Looks(all)), "<i class=o>"));
 }
 
@@ -145,6 +145,46 @@ TEST(Findings, EndWithTheOperationsThatNoneOfThemNames) {
                   "angles alone in 1 further operation: "))
       << text;
   EXPECT_TRUE(has(digits_table(Looks(merged({ordinary(9, "compose")}))), "<tr id=\"op-compose\""));
+}
+
+TEST(Findings, OfARefusalHaveNoChartsAndComeLast) {
+  Json refused = ordinary(1);
+  refused["status"] = "fail", refused["refused"] = 5, refused["max_eps"] = 0;
+  const std::string
+      refusal = "1  exp6 (translation): refused in double\n   where    everywhere: 5 of 5 cases\n",
+      loss =
+          "2  log6 (translation): 3.0 of 15.7 digits lost in double\n   where    only if x < 1: 5 "
+          "of 9 cases\n";
+  Json second = finding(loss);
+  second["operation"] = "log6";
+  const Merged all =
+      merged({refused, ordinary(1000, "log6")}, {{"findings", Json::array({finding(refusal), second})}});
+  const std::string text = findings_section(Looks(all));
+  EXPECT_LT(text.find("3.0 of 15.7"), text.find("refused in double"));
+  EXPECT_EQ(text.find("panels", text.find("refused in double")), text.npos);
+  EXPECT_TRUE(has(screen_of(all).lines[0].words, "<span class=\"where\">, only if x &lt; 1</span>"));
+  EXPECT_TRUE(has(digits_table(Looks(all)), "<i class=f>R</i>"));
+}
+
+TEST(Findings, SayOfWhichNumbersTheDigitsOfAnExampleAre) {
+  const Json one =
+      Json::array({finding("1  exp6 (translation): bad\n   example  exp6(0)\n            p[0] is 1, and 2 is "
+                           "right: 3.0 of 15.7 digits lost\n")});
+  EXPECT_TRUE(has(findings_section(Looks(merged({ordinary(9)}, {{"findings", one}}))),
+                  "3.0 of 15.7 digits lost of the whole result, by its norm"));
+}
+
+TEST(DigitsTable, HasMarksForWhatHasNoDigitsAndAKeyOfThoseAlone) {
+  Json sign = ordinary(1e15), tiny = ordinary(.5, "log6");
+  sign["block"] = "sign", tiny["budget"] = .01, tiny["status"] = "fail";
+  const std::string text = digits_table(Looks(merged({sign, tiny})));
+  EXPECT_TRUE(has(text, "<i class=f>B</i>"));
+  EXPECT_TRUE(has(text, "<i class=m>0.5 ε</i>"));
+  const std::string note = digits_note(text);
+  EXPECT_TRUE(has(note, "B: wrong branch"));
+  EXPECT_TRUE(has(note, "ε: an error"));
+  for (const char* absent : {"within</", "N: NaN", "R: refused", "class=p", "class=e", "ns: "})
+    EXPECT_FALSE(has(note, absent)) << absent;
 }
 
 TEST(DigitsTable, HasTheOrderOfTheDocumentationAfterWhatFails) {
