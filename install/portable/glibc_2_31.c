@@ -64,9 +64,15 @@ int __wrap_fstat64(int file, struct stat* status) { return __fxstat(1, file, sta
 /* false is always right: reference counts are then always atomic. */
 char __wrap___libc_single_threaded = 0;
 
+void __wrap_arc4random_buf(void* to, size_t size) {
+  for (char* next = to; size > 0;) {
+    const ssize_t n = getrandom(next, size, 0); /* -1 if a signal interrupts it */
+    if (n > 0) next += n, size -= (size_t)n;
+  }
+}
 unsigned __wrap_arc4random(void) {
   unsigned number;
-  while (getrandom(&number, sizeof number, 0) != sizeof number) {}  /* only a signal interrupts it */
+  __wrap_arc4random_buf(&number, sizeof number);
   return number;
 }
 

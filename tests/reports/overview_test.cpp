@@ -171,7 +171,7 @@ TEST(Findings, SayOfWhichNumbersTheDigitsOfAnExampleAre) {
       Json::array({finding("1  exp6 (translation): bad\n   example  exp6(0)\n            p[0] is 1, and 2 is "
                            "right: 3.0 of 15.7 digits lost\n")});
   EXPECT_TRUE(has(findings_section(Looks(merged({ordinary(9)}, {{"findings", one}}))),
-                  "3.0 of 15.7 digits lost of the whole result, by its norm"));
+                  "3.0 of 15.7 digits lost, of the whole result by its norm"));
 }
 
 TEST(DigitsTable, HasMarksForWhatHasNoDigitsAndAKeyOfThoseAlone) {

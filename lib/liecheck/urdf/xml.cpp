@@ -12,6 +12,54 @@ namespace {
 
 constexpr const char* xml_space = " \t\r\n";
 
+/// Whether a text begins with a character reference or one of the entities of XML.
+bool isReference(std::string_view text) {
+  constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
+  for (const std::string_view entity : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"})
+    if (text.starts_with(entity)) return true;
+  if (!text.starts_with("&#")) return false;
+  const std::size_t digits = text.starts_with("&#x") ? 3 : 2;
+  const std::size_t end = text.find_first_not_of(hexadecimal.substr(0, digits == 3 ? 22 : 10), digits);
+  return end != text.npos && end > digits && text[end] == ';';
+}
+
+/// The text with what other readers of URDF take and XML does not have: "--" in comments, "&" in values, and any
+/// character between elements, which have no text in URDF. Its lines are those of the text.
+std::string strictXml(std::string_view text) {
+  std::string strict;
+  const auto copy = [&](std::size_t size) { strict += text.substr(0, size), text.remove_prefix(size); };
+  const auto blank = [&](std::size_t size) {
+    for (const char c : text.substr(0, size)) strict += c == '\n' ? '\n' : ' ';
+    text.remove_prefix(size);
+  };
+  const auto upTo = [&](std::string_view end) { return std::min(text.find(end), text.size()); };
+  while (!text.empty()) {
+    const bool comment = text.starts_with("<!--"), data = text.starts_with("<![CDATA[");
+    if (comment || data) {
+      copy(comment ? 4 : 9);
+      blank(upTo(comment ? "-->" : "]]>"));
+      copy(std::min<std::size_t>(3, text.size()));
+    } else if (text.starts_with("<?")) {
+      copy(std::min(upTo("?>") + 2, text.size()));
+    } else if (text.front() == '<') {
+      char quote = 0;
+      for (bool inside = true; inside && !text.empty();) {
+        const char c = text.front();
+        inside = quote || c != '>';
+        const bool escaped = quote && c == '&' && !isReference(text);
+        if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
+        copy(1);
+        if (escaped) strict += "amp;";
+      }
+    } else {
+      const auto c = static_cast<unsigned char>(text.front());
+      const bool space = c == '\n' || c == '\t' || c == '\r';
+      (c == '&' || text.starts_with("]]>") || (c < ' ' && !space)) ? blank(1) : copy(1);
+    }
+  }
+  return strict;
+}
+
 class TreeBuilder {
  public:
   /// `text` begins in `line`.
@@ -146,7 +194,8 @@ Element parseXml(const std::string& text, const Messages& messages) {
   const std::size_t first = marked.find_first_not_of(xml_space);
   if (first == marked.npos) messages.refuse(1, "empty", std::to_string(text.size()) + " bytes");
   const std::string_view rest = marked.substr(first);
-  return TreeBuilder(rest, lineOf(text.size() - rest.size()), messages).root();
+  const std::string strict = strictXml(rest);
+  return TreeBuilder(strict, lineOf(text.size() - rest.size()), messages).root();
 }
 
 }  // namespace liecheck::urdf_detail
