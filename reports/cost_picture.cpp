@@ -47,25 +47,30 @@ struct CostAxes {
   }
 };
 
+/// " × 1280" of a batch, or "".
+std::string times_text(std::size_t batch) {
+  return batch > 1 ? fmt::format(" × {}", batch) : "";
+}
+
 /// The looks of the libraries whose marks have no name, and what the marks say.
-std::string legend(const Looks& looks, const std::vector<std::string>& unnamed, bool has_small, bool has_many,
-                   double& high) {
+std::string legend(const Looks& looks, const std::vector<std::pair<std::string, std::size_t>>& unnamed,
+                   bool has_small, bool has_many, double& high) {
   std::string out;
   double x = left, y = height + 4;
-  for (const std::string& subject : unnamed) {
-    const double wide = 18 + 5.7 * static_cast<double>(subject.size());
+  for (const auto& [subject, batch] : unnamed) {
+    const std::string name = subject + times_text(batch);
+    const double wide = 18 + 5.7 * static_cast<double>(name.size());
     if (x + wide > right + 6) x = left, y += 14;
     const std::size_t look = looks.of.at(subject);
-    out +=
-        in_look(look, marker(x + 4, y - 3.5, look, subject, "mark bad")) + text(x + 12, y, subject, "start");
+    out += in_look(look, marker(x + 4, y - 3.5, look, subject)) + text(x + 12, y, name, "start");
     x += wide;
   }
   if (!unnamed.empty()) y += 14;
   out += text(left, y,
-              has_many ? "filled: of calls with one input, none is faster and as accurate"
-                       : "filled: none is faster and as accurate",
+              has_many ? "filled, dashed: no single call is faster and as accurate"
+                       : "filled, dashed: none is faster and as accurate",
               "start");
-  const std::string rest = fmt::format("{}{}{}", has_many ? "× n: a batch of n inputs, apart from them" : "",
+  const std::string rest = fmt::format("{}{}{}", has_many ? "× n: n inputs in one call, apart" : "",
                                        has_many && has_small ? "; " : "", has_small ? "small: float" : "");
   if (!rest.empty()) out += text(left, y += 13, rest, "start");
   high = y + 5;
@@ -102,7 +107,7 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
   std::string out = axes.drawn_axes();
   if (!front.empty()) out += fmt::format("<path class=\"front\" d=\"{}H{}\"/>", stairs, right);
   for (const CostPoint* p : own) placed.keep_mark(axes.x(*p), axes.y(*p));
-  Distinct<std::string> unnamed;
+  Distinct<std::pair<std::string, std::size_t>> unnamed;
   for (const bool of_front : {true, false})
     for (const CostPoint* p : own) {
       const bool on_front = std::ranges::find(front, p) != front.end(), is_float = p->scalar == "float";
@@ -112,11 +117,10 @@ std::string cost_picture(const Looks& looks, const std::vector<CostPoint>& point
                                     fmt::format("{}: {:.1f} correct digits, {:.3g} ns", p->name(),
                                                 shown_digits(*p), p->latency),
                                     on_front ? "mark bad" : "mark", is_float));
-      const std::string name = placed.name(
-          axes.x(*p), axes.y(*p),
-          p->subject + (is_float ? " float" : "") + (p->batch > 1 ? fmt::format(" × {}", p->batch) : ""),
-          on_front ? "strong" : "");
-      if (name.empty()) unnamed.add(p->subject);
+      const std::string name =
+          placed.name(axes.x(*p), axes.y(*p), p->subject + (is_float ? " float" : "") + times_text(p->batch),
+                      on_front ? "strong" : "");
+      if (name.empty()) unnamed.add({p->subject, p->batch});
       names += name;
     }
   double high = height;

@@ -82,6 +82,10 @@ std::string Names::name(double x, double y, const std::string& words, const char
   const auto box_at = [&](double from, double down) {
     return Box{from - 1, down - 9, from + wide + 1, down + 2};
   };
+  const auto written = [&](double from, double down) {  // against its mark, whatever its true width is
+    return from + wide <= x + .1 ? text(from + wide, down, words, "end", kind)
+                                 : text(from, down, words, "start", kind);
+  };
   for (const auto& [from, down] : {std::pair(x + 7, y + 3.5),
                                    {x - 7 - wide, y + 3.5},
                                    {x - wide / 2, y - 8},
@@ -91,7 +95,7 @@ std::string Names::name(double x, double y, const std::string& words, const char
                                    {x - 6 - wide, y - 5}}) {
     if (!is_free(box_at(from, down)) || !is_clear(box_at(from, down), x, y, 8)) continue;
     taken_.push_back(box_at(from, down));
-    return text(from, down, words, "start", kind);
+    return written(from, down);
   }
   for (const double clear : {9.0, 0.0})  // of other marks
     for (double far = 16; far < 56; far += 4)
@@ -102,7 +106,7 @@ std::string Names::name(double x, double y, const std::string& words, const char
         const Box box = box_at(from, down);
         if (!is_free(box) || !is_clear(box, x, y, clear)) continue;
         taken_.push_back(box);
-        return line(x, y, px, py, "lead") + text(from, down, words, "start", kind);
+        return line(x, y, px, py, "lead") + written(from, down);
       }
   return "";
 }

@@ -181,7 +181,7 @@ std::string example_words(std::string words) {
   for (auto at = words.find("\\n"); at != words.npos; at = words.find("\\n")) words.replace(at, 2, " ");
   static const std::string counted = " is right: ", lost = " digits lost";
   if (words.find(counted) == words.npos || !words.ends_with(lost)) return words;
-  return words + " of the whole result, by its norm; the input is plain, and the heading is of the worst one";
+  return words + ", of the whole result by its norm; the heading is of a worse input";
 }
 
 /// The article of a finding.
