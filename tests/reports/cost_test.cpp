@@ -124,6 +124,7 @@ TEST(CostReport, ARegionTakesTheWorstErrorOfItsBandsAndTheMeanOfTheirTimes) {
   }
   all["rows"] = Json::array({all["rows"][0]});
   all["rows"][0]["sets"] = sets;
+  EXPECT_EQ(timed_inputs(all), "on random inputs with angles from 10⁻¹² rad to near π");
   const auto regions = cost_regions(all);
   ASSERT_EQ(regions.size(), 2U);
   const auto near_zero = region_points(all, "exp6", regions[0]),

@@ -94,6 +94,13 @@ TEST(Verdicts, SayWhereTheInputDeterminesNothing) {
   EXPECT_FALSE(has(digits_table(Looks(all)), "<i class=o>"));
 }
 
+TEST(Verdicts, SayThatFailuresAreElsewhere) {
+  Json all = row_at("none", "all", 0, 0, 1e9, "compose");
+  EXPECT_EQ(near_words(Looks(merged({ordinary(1), all}))),
+            "Yes, every operation; the failures are elsewhere: compose");
+  EXPECT_EQ(near_words(Looks(merged({ordinary(1)}))), "Yes, every operation");
+}
+
 TEST(FirstScreen, ShowsNearZeroAndNearPiTheBlockThatFailsThere) {
   const FirstScreen screen =
       screen_of(merged({ordinary(1e9, "log6"), ordinary(1),
