@@ -164,9 +164,13 @@ class Parser {
     if (names.size() != 3) refuse(fmt::format("'{}' is not of the form OPERATION, BLOCK, INPUTS", key));
     if (names[0] == "*" || names[1] == "*")
       refuse(fmt::format("'{}' expects too much: * is not allowed", key));
-    if (std::none_of(budget_lines().begin(), budget_lines().end(),
-                     [&](const Budget& b) { return b.operation == names[0] && b.block == names[1]; }))
-      refuse(fmt::format("no law measures the block '{}' of '{}'", names[1], names[0]));
+    check_operation(names[0]);
+    std::vector<std::string> blocks;
+    for (const Budget& b : budget_lines())
+      if (b.operation == names[0] && std::ranges::count(blocks, b.block) == 0) blocks.push_back(b.block);
+    if (std::ranges::count(blocks, names[1]) == 0)
+      refuse(fmt::format("no law measures the block '{}' of '{}'; those of it: {}", names[1], names[0],
+                         fmt::join(blocks, ", ")));
     const auto inputs = parse_input_region(names[2]);
     if (!inputs)
       refuse(fmt::format("no band of inputs is '{}', such as 'theta 1e-9..1e-3', 'pi', 'beyond_pi' or 'any'",
