@@ -92,6 +92,13 @@ FirstScreen::Question price_question(const Looks& looks, std::vector<std::string
                                [&](const CostPoint& p) { return p.operation == name && p.latency > 0; });
   };
   wanted.push_back("exp6");
+  const std::string own = only_library(looks.merged);  // what fails on the timed inputs comes first
+  std::ranges::stable_partition(wanted, [&](const std::string& name) {
+    return std::ranges::any_of(points, [&](const CostPoint& p) {
+      return p.subject == own && p.operation == name && p.latency > 0 &&
+             shown_digits(p) < (p.scalar == "float" ? 4.9 : 13.7);  // two fewer than the scalar has
+    });
+  });
   const auto first = std::ranges::find_if(wanted, timed);
   const std::string operation = first != wanted.end() ? *first
                                 : points.empty()      ? "exp6"
@@ -123,6 +130,10 @@ FirstScreen first_screen(const Looks& looks) {
   const auto zero = telling_rows(looks, scalar, "theta"), pi = telling_rows(looks, scalar, "pi_minus_theta");
   all.questions.push_back(near_question(looks, scalar, zero, pi));
   std::vector<std::string> shown;
+  if (!only_library(looks.merged).empty())  // a repair of what is wrong is what its maintainer asks for
+    for (const Json& record : looks.merged.records)
+      if (record.contains("findings"))
+        for (const Json& finding : record["findings"]) shown.push_back(finding["operation"]);
   for (const auto* rows : {&zero, &pi})
     if (!rows->empty()) shown.push_back((*rows->front())["operation"]);
   all.questions.push_back(price_question(looks, shown));

@@ -247,4 +247,22 @@ TEST(CostPoints, TheErrorOfAllInputsIsThatOfTheRecord) {
   EXPECT_GT(rows, 10u);
 }
 
+TEST(FirstScreen, OfOneLibraryPricesWhatFailsOnTheTimedInputs) {
+  Json times = cost(), row = times["rows"][0];
+  row["subject"] = "mine", row["scalar"] = "double", times["rows"] = Json::array();
+  for (const auto& [operation, error] : {std::pair("compose", 1e-15), {"log6", 1e-6}}) {
+    row["operation"] = operation, row["error"] = error;
+    times["rows"].push_back(row);
+  }
+  Json findings = Json::array();
+  for (const char* operation : {"compose", "log6"})
+    findings.push_back({{"subject", "mine"}, {"operation", operation}, {"text", "1  x: y\n"}});
+  const auto price = [&] {
+    return screen_of(merged({ordinary(1)}, {{"cost", times}, {"findings", findings}})).questions.at(1).answer;
+  };
+  EXPECT_TRUE(price().starts_with("<b>log6</b>")) << price();
+  times["rows"][1]["error"] = 1e-15;  // no failure is among the timed inputs: then of the first finding
+  EXPECT_TRUE(price().starts_with("<b>compose</b>")) << price();
+}
+
 }  // namespace
