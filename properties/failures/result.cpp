@@ -238,6 +238,7 @@ std::string order_text(double number) {
 std::string turned_text(const Series& series, const Output& output, const NotedCase& noted) {
   const NotedCall* const call = worst_call(output, noted);
   if (!call || output.block != "rotation" || !call->operation->name.starts_with("euler_from") ||
+      call->result.size() != 3 ||
       !std::ranges::all_of(call->result, [](double x) { return std::isfinite(x); }))
     return "";
   const auto quaternion = [&](const std::vector<Real>& angles) {
@@ -245,7 +246,7 @@ std::string turned_text(const Series& series, const Output& output, const NotedC
                                      {Real(call->arguments[0]), angles[0], angles[1], angles[2]});
   };
   const std::vector<Real> exact = expected_of(*call);
-  if (exact.empty()) return "";
+  if (exact.size() != 3) return "";
   const std::vector<Real> a = quaternion({call->result.begin(), call->result.end()}), b = quaternion(exact);
   Real same(0), opposite(0);
   for (std::size_t i = 0; i < 4; ++i)

@@ -9,8 +9,13 @@
 #include <cmath>
 #include <conventions/choices.hpp>
 #include <conventions/reference.hpp>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <numbers>
+
+#include "../scratch.hpp"
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -185,6 +190,37 @@ TEST(Choices, ThatDifferBetweenOperationsAreNamedForEach) {
                R"(choice "quaternion sign": "w >= 0" in exp3_quaternion, "continuous" in integrate)" &&
            !f.usual;
   }));
+}
+
+TEST(Choices, OneOfEulerAnglesThatIsStatedAndBrokenIsAFinding) {
+  const std::string folder = scratch() + "/liecheck_choices_";
+  std::ofstream(folder + "breaks.py") << R"(import json, math, struct, sys
+calls, answers = sys.stdin.buffer, sys.stdout.buffer
+calls.readline()
+answers.write(json.dumps({"protocol": 1, "name": "breaks", "version": "1", "conventions": {"angle range": "0 to 2 pi"},
+                          "operations": {"euler_from_quaternion": ["double"]}}).encode() + b"\n")
+answers.flush()
+for line in iter(calls.readline, b""):
+    n, y, status = int(line.split()[3]), [], b""
+    numbers = struct.unpack(f"<{5 * n}d", calls.read(40 * n))
+    for order, a, b, c, d in zip(*[iter(numbers)] * 5):
+        status += bytes([order != 11])
+        y += [math.atan2(2 * (d * c + a * b), 1 - 2 * (b * b + c * c)), math.asin(max(-1, min(1, 2 * (d * b - c * a)))),
+              math.atan2(2 * (d * a + b * c), 1 - 2 * (a * a + b * b))]
+    answers.write(f"done {n}\n".encode() + status + struct.pack(f"<{3 * n}d", *y))
+    answers.flush()
+)";
+  const std::string said = folder + "said";
+  const int code = std::system(
+      (LIECHECK_PROGRAM " test '/usr/bin/python3 " + folder + "breaks.py' --cases 300 >" + said + " 2>&1")
+          .c_str());
+  std::ifstream file(said);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(WEXITSTATUS(code), 1) << text;
+  EXPECT_NE(text.find("1  euler_from_quaternion (rotation): wrong branch in double"), text.npos) << text;
+  EXPECT_NE(text.find("\n            the adapter states \"angle range\": \"0 to 2 pi\", but an angle is -"),
+            text.npos)
+      << text;
 }
 
 TEST(Choices, AnUnknownValueIsRefused) {

@@ -51,7 +51,7 @@ function run(file, args, t) {
       const lines = text.stdout.split("\n").filter(line => !line.startsWith("--verbose"));
       if (code !== 0) {
         const told = code === 1 || code === 3 ? lines.join("\n").trim() : "";
-        const last = text.stderr.trim().split("\n").pop();
+        const last = ended ? "" : text.stderr.trim().split("\n").pop();
         return reject(failure(told || last || `liecheck ended with ${ended || `exit code ${code}`}`, file));
       }
       const tell = (how, told) => told.length && t && typeof t[how] === "function" && t[how](told.join("; "));
