@@ -30,8 +30,7 @@ struct Description {
   std::string name, version;
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
   conventions::Statements conventions;                    ///< those that it states
-  std::map<std::string, std::string> source =
-      {};                                  ///< programs by operation: docs/findings.md
+  std::map<std::string, std::string> source = {};         ///< programs by operation: docs/findings.md
   std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf", and "mimics", which it couples
   std::set<std::string> joints = {};       ///< kinds of joints; empty for all
   std::set<std::string> references{"world", "local", "aligned"};  ///< in which it sees frames

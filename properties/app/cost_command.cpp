@@ -259,9 +259,9 @@ Command cost_command(CLI::App& program) {
              flags = a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags"),
              seed = a.seed(o.seed, "seed of the inputs"),
              whole = a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
-  const Flag curve =
-      a.toggle("--curve", o.curve,
-               "instead: error over the angle, and time, of textbook:CUTOFF, textbook:half_angles, series:TERMS and liecheck");
+  const Flag curve = a.toggle("--curve", o.curve,
+                              "instead: error over the angle, and time, of textbook:CUTOFF, "
+                              "textbook:half_angles, series:TERMS and liecheck");
   curve.needs(operation);
   a.hidden_toggle("--times-only", a->times_only);
   const Flag json = a.json(a->json, "write times and errors to FILE");

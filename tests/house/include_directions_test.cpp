@@ -310,7 +310,8 @@ TEST(Includes, OfTheCommandLineAndOfJsonAreInTheseFilesAlone) {
        "reports/ properties/support/ properties/adapters/ properties/environments/ properties/tellings/ "
        "properties/app/lab.cpp properties/app/compare_command.cpp properties/app/write_record.cpp "
        "properties/app/report_command.cpp properties/app/environments_command.cpp "
-       "properties/app/adapter_tellings_command.cpp properties/store/beside_cases.cpp properties/store/export.cpp "
+       "properties/app/adapter_tellings_command.cpp properties/store/beside_cases.cpp "
+       "properties/store/export.cpp "
        "properties/store/times.cpp "
        "properties/hard_cases/ lab/"}};
   for (const auto& [header, where] : may)
