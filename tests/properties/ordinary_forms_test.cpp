@@ -48,7 +48,23 @@ M local(const Pose<double>& X, M world) {
   return world;
 }
 
+/// Throws, as libraries do that check a tolerance, if the matrix is further than 1e-10 from a rotation.
+void check_rotation(const O::M3& R) {
+  if ((R.transpose() * R - O::M3::Identity()).norm() > 1e-10) throw std::invalid_argument("not orthogonal");
+}
+
 const Registered<double> ordinary[] = {
+    registered("ordinary:checks",
+               [](O& o) {
+                 o[op::quaternion_from_matrix] = [](const O::M3& R) {
+                   check_rotation(R);
+                   return own()[op::quaternion_from_matrix](R);
+                 };
+                 o[op::log3_matrix] = [](const O::M3& R) {
+                   check_rotation(R);
+                   return own()[op::log3_matrix](R);
+                 };
+               }),
     registered("ordinary:poses",
                [](O& o) {
                  o[op::integrate] = integrate, o[op::difference] = difference;
@@ -124,6 +140,12 @@ TEST(OrdinaryForms, OfPosesAreAccusedByTheProfileOursOnly) {
     EXPECT_FALSE(r.failed) << failures(r);
   }
   const CampaignResult r = run("ordinary:canonical", {"sign_continuity"}, Profile::careful, 1000);
+  EXPECT_FALSE(r.failed) << failures(r);
+}
+
+TEST(OrdinaryForms, ARefusedMatrixThatHasDriftedIsAccusedByTheProfileOursOnly) {
+  EXPECT_TRUE(run("ordinary:checks", {"drifted_matrices"}, Profile::ours, 300).failed);
+  const CampaignResult r = run("ordinary:checks", {"drifted_matrices"}, Profile::careful, 1000);
   EXPECT_FALSE(r.failed) << failures(r);
 }
 
