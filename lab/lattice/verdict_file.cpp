@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <liecheck/text/from_chars.hpp>
 #include <stdexcept>
 #include <support/checksum.hpp>
 #include <support/files.hpp>
@@ -23,8 +24,13 @@ std::vector<std::string> fields_of(const std::string& line) {
 
 template <class T>
 bool read_number(const std::string& text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
+  const char *const first = text.data(), *const last = first + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::is_floating_point_v<T>)
+    read = fromChars(first, last, value);
+  else
+    read = std::from_chars(first, last, value);
+  return read.ec == std::errc() && read.ptr == last;
 }
 
 std::string line_of(const LatticeRow& row) {
