@@ -11,6 +11,7 @@
 #include <store/store_path.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -156,7 +157,7 @@ void print_counterexamples(const Counterexamples& c, bool all) {
   say("counterexamples of earlier runs: {} replayed, {} still fail, {} skipped\n", c.replayed,
       c.failing.size(), c.skipped);
   for (std::size_t i = 0; i < std::min(shown, c.failing.size()); ++i)
-    say("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
+    say("  {}, {}: {}\n", c.failing[i].operation, c.failing[i].block, replay_words(c.failing[i].id));
   if (c.failing.size() > shown) say("  and {} more: --all prints them\n", c.failing.size() - shown);
   say("\n");
 }

@@ -13,6 +13,7 @@
 #include <support/folder.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -70,7 +71,7 @@ void print_failure(const HardRow& r, const HardCell& c) {
     say("  error     {}{}\n", name_of(c.verdict), c.refusal.empty() ? "" : ": " + c.refusal);
   say("  budget    {:g} {}\n", c.budget, c.excess ? "eps kappa" : "eps");
   say("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
-  say("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
+  say("  replay    {}\n", replay_words(c.id.text(), c.flags));
 }
 
 /// What the limit is compared with.

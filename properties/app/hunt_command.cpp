@@ -12,6 +12,7 @@
 #include <support/progress.hpp>
 #include <support/say.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -68,12 +69,12 @@ int print_worst(const Series& series, const Worst& w, const std::string& replay_
   say("\n{}: {}, {}\n", series.property, o.operation, o.block);
   bool failed = w.broken > 0;
   if (w.open)
-    say("  no verdict on {} of the evaluations\n  replay    liecheck replay {}{}\n", w.open,
-        w.first_open_id.text(), replay_flags);
+    say("  no verdict on {} of the evaluations\n  replay    {}\n", w.open,
+        replay_words(w.first_open_id.text(), replay_flags));
   if (w.broken)
-    say("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
-        outcome_words[static_cast<int>(w.first_broken.residual.outcome)], w.first_broken_id.text(),
-        replay_flags);
+    say("  broken    {} of the evaluations: {}\n  replay    {}\n", w.broken,
+        outcome_words[static_cast<int>(w.first_broken.residual.outcome)],
+        replay_words(w.first_broken_id.text(), replay_flags));
   if (w.score < 0) {
     say("  worst     no error could be measured\n");
     return failed ? property_failed : incomplete;
@@ -101,8 +102,8 @@ int print_worst(const Series& series, const Worst& w, const std::string& replay_
   say("  error     {:.4g} eps", w.judged.residual.error);
   if (w.by_kappa) say(", kappa {:.3g}", w.judged.residual.kappa);
   say(", band {}\n  found     at evaluation {}, half this error at {}\n", band, w.at, w.half_at);
-  say("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n", fmt::join(w.decimal, ", "),
-      fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
+  say("  decimal   {}\n  hexadecimal {}\n  replay    {}\n", fmt::join(w.decimal, ", "),
+      fmt::join(w.id.input, ", "), replay_words(w.id.text(), replay_flags));
   return failed ? property_failed : w.open ? incomplete : within_budget;
 }
 
@@ -202,8 +203,7 @@ int hunt_on(const Series& series, HuntOptions options, const HuntFlags& f, const
   int code = within_budget;
   for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
     const Worst& w = hunted.worst[i];
-    code = both(code,
-                print_worst(series, w, (series.on_robot ? robot_flag : "") + subject_flags(series)));
+    code = both(code, print_worst(series, w, (series.on_robot ? robot_flag : "") + subject_flags(series)));
     if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
     if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
   }

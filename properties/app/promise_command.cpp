@@ -85,19 +85,23 @@ int run(const PromiseFlags& f) {
   larger.cases *= campaigns;
   const CampaignResult r = run_campaign(larger, robot);
   Promises promises(r);
-  const std::string in =
-      fmt::format("{} cases of all laws (seed {}), hunts and the hard cases", r.total_cases, o.seed);
+  const std::string in = fmt::format("{} cases of all laws (seed {}){}", r.total_cases, o.seed,
+                                     stop_requested ? "" : ", hunts and the hard cases");
+  const auto written_now = [&] {
+    const auto [limits, domain, expected] = promises.promised();
+    return fmt::format(
+        "# What {0} promises, written by liecheck promise from {1}{2}.\nversion = 3\nsubject = {0}\n"
+        "profile = careful\n{3}{4}{5}",
+        subject, in, stop_requested ? ", interrupted: campaigns may break what stands here" : "",
+        section("limits", limits), section("domain", domain), section("expected", expected));
+  };
   std::string text;
   // A hunt leaves out the inputs whose failures the file expects by then. A hard case shows its worst block alone, so that
   // others may fail by the file that is written for it.
   Progress line("hunt", o.quiet);
   bool fails = true;
   for (int round = 0; (round <= hunts || (fails && round < most_rounds)) && !stop_requested; ++round) {
-    const auto [limits, domain, expected] = promises.promised();
-    text = fmt::format(
-        "# What {0} promises, written by liecheck promise from {1}.\nversion = 3\nsubject = {0}\n"
-        "profile = careful\n{2}{3}{4}",
-        subject, in, section("limits", limits), section("domain", domain), section("expected", expected));
+    text = written_now();
     Selection judged = o.selection;
     judged.limits = {std::make_shared<const SubjectLimits>(parse_limits(f.out, text))};
     const auto all = round < hunts ? select(judged, robot) : std::vector<std::unique_ptr<Series>>();
@@ -109,21 +113,32 @@ int run(const PromiseFlags& f) {
     }
     fails = promises.add(run_hard_cases(judged, robot, built_in_corpus(), o.jobs));
   }
-  if (stop_requested) {
-    std::fputs("interrupted: no file was written\n", stderr);
+  if (stop_requested && r.total_cases == 0) {
+    std::fputs("interrupted: nothing was measured, and no file was written\n", stderr);
     return incomplete;
   }
+  if (stop_requested) text = written_now();
   const SubjectLimits written = parse_limits(f.out, text);
   write_whole(f.out, text);
-  for (const ExpectedFailure& e : written.expected)
-    say("not promised: {} {} at {}: {}\n", e.operation, e.block, e.inputs.text, e.reason);
+  std::vector<std::string> not_promised;
   for (const DomainBound& b : written.domain)
     if (!b.reason.empty())
-      say("not promised: {}, {} {} {:g}: {}\n", b.operation ? b.operation->name : "*",
-          quantity_names()[static_cast<std::size_t>(b.quantity)], b.lower ? "below" : "above", b.bound,
-          b.reason);
+      not_promised.push_back(fmt::format("{}, {} {} {:g}: {}", b.operation ? b.operation->name : "*",
+                                         quantity_names()[static_cast<std::size_t>(b.quantity)],
+                                         b.lower ? "below" : "above", b.bound, b.reason));
+  for (const ExpectedFailure& e : written.expected)
+    not_promised.push_back(fmt::format("{} {} at {}: {}", e.operation, e.block, e.inputs.text, e.reason));
+  constexpr std::size_t most_lines = 6;
+  for (std::size_t i = 0; i < std::min(most_lines, not_promised.size()); ++i)
+    say("not promised: {}\n", not_promised[i]);
+  if (not_promised.size() > most_lines)
+    say("and {} more, which stand in the file\n", not_promised.size() - most_lines);
   say("{}: {} limits of {:g} times the largest error found in {}\n", f.out, written.lines.size(), allowance,
       in);
+  if (stop_requested) {
+    std::fputs("interrupted: campaigns may break what stands in the file\n", stderr);
+    return incomplete;
+  }
   return written.expected.empty() ? within_budget : property_failed;
 }
 
@@ -137,7 +152,8 @@ Command promise_command(CLI::App& program) {
       "operation and "
       "block, without the angles at which it is NaN, on a wrong branch or far larger, whose failures the "
       "file expects. "
-      "Exit code 0 if there are none; 1 if there are some; 2 for bad input; 3 if stopped, without a file");
+      "Exit code 0 if there are none; 1 if there are some; 2 for bad input; 3 if stopped, with a file of "
+      "what was measured");
   a.text("SUBJECT", a->subject, "", "the subject; default: that of the adapter");
   a->adapters.add(a);
   a.list("--scalar", a->scalars, "SCALAR", "float or double, repeatable; default all it has");

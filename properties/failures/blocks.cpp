@@ -190,11 +190,15 @@ std::string what_of(const FailedBlock& f) {
   return lost;
 }
 
-std::string where_of(const FailedBlock& f) {
+bool fails_otherwise(const FailedBlock& f, const BandOf& b) {
+  return b.fails && worst_outcome(*b.row) != worst_outcome(*f.worst->row);
+}
+
+std::string where_of(const FailedBlock& f, bool otherwise) {
   const Bands& bands = f.worst->series->bands();
   std::map<std::size_t, bool> fails;  // by band: fails in one of the laws
   for (const BandOf& b : f.bands)
-    if (b.band > 0) fails[b.band] = fails[b.band] || b.fails;
+    if (b.band > 0) fails[b.band] = fails[b.band] || (otherwise ? fails_otherwise(f, b) : b.fails);
   const auto count = std::ranges::count_if(fails, [](const auto& b) { return b.second; });
   if (count == 0 || count == std::ssize(fails)) return "everywhere";
   // A band of few cases that passes between two that fail is no border of the region.

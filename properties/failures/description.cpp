@@ -7,6 +7,7 @@
 #include <failures/program.hpp>
 #include <failures/result.hpp>
 #include <search/shrink.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -43,7 +44,7 @@ std::string measured_again(const Series& series, const CaseId& id, int output, i
     text += fmt::format("  shown     a simpler input that fails in the same way, in the band {}\n",
                         series.bands()[shown].name);
   text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
-  text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
+  text += fmt::format("  replay    {}\n", replay_words(s.id.text(), flags));
   if (!series.adapter.empty()) return text;  // with its own program
   const auto at = static_cast<std::size_t>(output);
   const Output& o = series.outputs.at(at);
@@ -72,7 +73,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
                       in_band, row.failed, row.inside());
   if (const std::string outcomes = outcomes_of(row); !outcomes.empty())
     text += fmt::format("  outcomes  {}\n", outcomes);
-  text += fmt::format("  found     liecheck replay {}{}\n", id.text(), flags);
+  text += fmt::format("  found     {}\n", replay_words(id.text(), flags));
   return text + measured_again(series, id, output, band, flags);
 }
 

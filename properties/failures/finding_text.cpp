@@ -24,7 +24,7 @@ void add_once(std::vector<std::string>& to, const std::string& text) {
 
 /// The failing bands of a block: those of ordinary angles first, of these the ones that lose half of the digits that the
 /// worst band loses, and of these the one in which most cases fail.
-std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
+std::vector<BandOfFailure> bands_of(const FailedBlock& f, const BandOf& worst, bool otherwise = false) {
   std::vector<std::pair<double, BandOfFailure>> all;
   const auto loss = [&](const BandOf& b) {  // 1 is all digits
     const double eps = f.worst->series->eps;
@@ -34,7 +34,8 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f) {
   for (const BandOf& b : f.bands)
     if (b.fails) most = std::max(most, loss(b));
   for (const BandOf& b : f.bands) {
-    if (!b.fails || b.series != f.worst->series || b.output != f.worst->output) continue;
+    if (!b.fails || b.series != worst.series || b.output != worst.output) continue;
+    if (otherwise && !fails_otherwise(f, b)) continue;
     const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
     const bool ordinary = is_ordinary(b.series->bands()[b.band]);
     const double score = worst_outcome(*b.row).empty() ? score_of(b) : b.row->worst_score;
@@ -61,7 +62,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   const Series& series = *w.series;
   const auto output = static_cast<int>(w.output);
   const CaseId worst = series.id(campaign.options.seed, w.row->worst_index);
-  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f),
+  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f, w),
                                           worst_outcome(*w.row).empty() && w.row->not_finite > 0);
   if (!s) s = shrink(series, worst, output, 500);
   std::string text;
@@ -84,10 +85,41 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
   const std::string shown = s->id.input.size() > 40 ? worst.text() : s->id.text();
-  return text +
-         fmt::format("   replay   liecheck replay {}{}\n", shown, replay_flags(series, campaign.robot));
+  return text + fmt::format("   replay   {}\n", replay_words(shown, replay_flags(series, campaign.robot)));
 } catch (const GivenUp&) {
   return "   interrupted: this case is not measured again\n";
+}
+
+/// A second way in which the block fails, in other bands than the worst, with its example: a line, or "" if there is none.
+std::string also_of(const FailedBlock& f, const CampaignResult& campaign) try {
+  const BandOf* other = nullptr;
+  const auto rank = [](const BandOf& b) {
+    return std::pair(is_ordinary(b.series->bands()[b.band]), b.row->failed);
+  };
+  double score = 0;
+  for (const BandOf& b : f.bands) {
+    if (b.band == 0 || !fails_otherwise(f, b)) continue;
+    score = std::max(score, score_of(b));
+    if (!other || rank(b) > rank(*other)) other = &b;
+  }
+  if (!other || f.worst->band == 0 || f.block == "sign") return "";
+  const Series& series = *other->series;
+  const auto output = static_cast<int>(other->output);
+  const std::string outcome = worst_outcome(*other->row);
+  const CaseId worst = series.id(campaign.options.seed, other->row->worst_index);
+  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f, *other, true));
+  if (!s) s = shrink(series, worst, output, 500);
+  if (!s->reproduced) return "";
+  const NotedCase all = noted(series, s->id, other->output);
+  const Output& of = series.outputs.at(other->output);
+  const NotedCall* const call = worst_call(of, all);
+  const std::string called = call ? called_with(series, *call) : "",
+                    number = worst_number_text(series, of, all);
+  const std::string what = outcome.empty() ? digits_lost(score, series.eps) : outcome;
+  if (called.empty() || number.empty() || what.empty()) return "";
+  return fmt::format("   also     {}, {}: {}\n            {}\n", what, where_of(f, true), called, number);
+} catch (const GivenUp&) {
+  return "";
 }
 
 /// The line of [domain] that leaves the failures out, if every failing band is of angles above 10, or of angles below 1e-100;
@@ -135,10 +167,9 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (finding.own.empty()) {
     const HardCell& cell = *finding.hard_cells.front();
     const HardCase& entry = *finding.hard_rows.front()->entry;
-    return fmt::format(
-        "{}  {} {}: hard case {} ({})\n   input    {}\n   reason   {}\n   replay   liecheck replay {}{}\n",
-        number, finding.operation, cell.block, entry.name, name_of(cell.verdict), entry.input, entry.reason,
-        cell.id.text(), cell.flags);
+    return fmt::format("{}  {} {}: hard case {} ({})\n   input    {}\n   reason   {}\n   replay   {}\n",
+                       number, finding.operation, cell.block, entry.name, name_of(cell.verdict), entry.input,
+                       entry.reason, replay_words(cell.id.text(), cell.flags));
   }
   const FailedBlock& first = *finding.own.front();
   std::vector<std::string> blocks, others;
@@ -168,7 +199,7 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
                         others.size() == 1 ? "fails" : "fail");
-  text += example_of(first, campaign);
+  text += example_of(first, campaign) + also_of(first, campaign);
   if (!finding.hard_rows.empty())
     text += fmt::format("   hard     {} hard case{} of the same cause: {}{}\n", finding.hard_rows.size(),
                         finding.hard_rows.size() == 1 ? "" : "s", finding.hard_rows.front()->entry->name,

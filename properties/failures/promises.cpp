@@ -63,6 +63,7 @@ Promises::Promises(const CampaignResult& campaign) : campaign_(campaign) {
       const Rule rule = series->budget(output, series->bands()[band].region).rule;
       b.largest = std::max(b.largest, rule == Rule::forward ? row.max_error : row.max_excess);
       b.quantile = std::max(b.quantile, cliff_figure(row, rule)), b.cases += row.judged();
+      b.median = std::max(b.median, row.errors.count() ? row.errors.quantile(0.5) : 0);
       if (b.outcome.empty()) b.outcome = worst_outcome(row, true);
     }
   find_cliffs();
@@ -115,7 +116,8 @@ bool Promises::add(const std::vector<HardRow>& rows) {
 bool Promises::is_bad(const Block& block, std::size_t band) const {
   const OfBand& b = block.bands[band];
   if (!b.outcome.empty() || b.cliff || allowance * b.largest * block.series->eps >= 1) return true;
-  if (band == 0) return false;  // inputs without an angle
+  // Inputs without an angle, such as Euler angles, have no other band that tells how large a usual error is.
+  if (band == 0) return b.largest > std::max(far_above * b.median, 1 / std::sqrt(block.series->eps));
   double moderate = 1, largest = 0;
   for (std::size_t i = 0; i < block.bands.size(); ++i)
     if (is_reference(block.series->bands()[i])) {

@@ -3,7 +3,8 @@
 //
 // A limit covers the good bands of the angle alone, so that one wrong band does not hide faults in all others. A band of
 // a block is bad if a result has no error in eps, if a limit above its largest error would demand no digit, or if that
-// error is far above those at moderate angles, so that other inputs may show a cliff. Bad bands are expected failures.
+// error is far above those at moderate angles, so that other inputs may show a cliff; of inputs without an angle, if it
+// takes half of the digits and is far above half of the errors. Bad bands are expected failures.
 
 #include <campaign/cliffs.hpp>
 #include <campaign/needs.hpp>
@@ -35,6 +36,7 @@ class Promises {
   struct OfBand {
     double largest = -1;  ///< error or excess, by the rule
     double quantile = 0;  ///< the figure of a cliff
+    double median = 0;
     std::uint64_t cases = 0;
     std::string outcome;  ///< of a result without an error in eps
     bool cliff = false;

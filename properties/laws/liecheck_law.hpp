@@ -52,7 +52,7 @@ class Law {
   Judgement judge(const Input& input) const;
   /// A campaign and the hard cases of the law, in each scalar. Returns what `liecheck campaign` prints about the
   /// failures, shrunk, and about what was not measured; empty if the law passes.
-  std::string campaign(std::uint64_t seed = 42, std::uint64_t cases = 2000) const;
+  std::string campaign(std::uint64_t seed = 42, std::uint64_t cases = 1000) const;
 
  private:
   struct State;

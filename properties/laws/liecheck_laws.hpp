@@ -10,7 +10,7 @@
 //     LIECHECK_TESTS(MyLib)                                    // GoogleTest: every law that MyLib offers
 //
 // A property draws from RapidCheck's own seed and runs as often as RC_PARAMS says (default: 100 inputs). A test is
-// a campaign of 2000 cases with a fixed seed, and the law's hard cases. Both shrink failures.
+// a campaign of 1000 cases with a fixed seed, and the law's hard cases. Both shrink failures.
 // docs/adapters.md
 
 #include <gtest/gtest.h>

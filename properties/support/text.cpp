@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <support/json.hpp>
 #include <utility>
@@ -82,6 +83,19 @@ std::string shell_quoted(const std::string& word) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string replay_words(const std::string& id, const std::string& flags) {
+  const char *called = std::getenv("LIECHECK_CALLED_AS"), *serves = std::getenv("LIECHECK_SERVES");
+  std::string text = (called && *called ? printable(called) : "liecheck") + " replay " + id + flags;
+  if (!serves || !*serves) return text;
+  const std::string before = std::string("'") + serves;
+  for (auto at = text.find(before); at != text.npos; at = text.find(before, at + 1)) {
+    const auto end = text.find('\'', at + before.size());
+    if (end == text.npos) break;
+    text.replace(at, end + 1 - at, shell_quoted(text.substr(at + before.size(), end - at - before.size())));
+  }
+  return text;
 }
 
 bool is_replay(const std::string& text) {

@@ -69,6 +69,30 @@ TEST(Findings, TheExampleIsOneThatAPersonWouldWrite) {
       << text;
 }
 
+/// rotations.py with one more function and other FUNCTIONS.
+std::string adapter_with(const std::string& file, const std::string& functions) {
+  auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
+  const std::string from = "FUNCTIONS = {";
+  program.replace(program.find(from), from.size(), functions + "\nOTHERS = {");
+  std::ofstream(liecheck::scratch() + file) << program;
+  return "/usr/bin/python3 " + liecheck::scratch() + file;
+}
+
+TEST(Findings, ASecondWayToFailHasALine) {
+  const std::string adapter = adapter_with("two_ways.py", R"(
+def log3_quaternion(Q):
+    s = np.linalg.norm(Q[:3])
+    return Q[:3] * (2 * np.arctan2(s, Q[3]) / s)
+
+
+FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)})");
+  const std::string text = campaign("--property log_oracle --scalar double --adapter '" + adapter + "'", 1);
+  EXPECT_NE(text.find("(rotation vector): NaN or Inf in double"), std::string::npos) << text;
+  EXPECT_NE(text.find("   also     wrong branch, theta "), std::string::npos) << text;
+  EXPECT_NE(text.find("such as: log3_quaternion, rotation vector, any = WHY, LINK"), std::string::npos)
+      << text;
+}
+
 TEST(Findings, TheExampleHasTheOrderThatTheAdapterStates) {
   auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
   const auto replace = [&](const std::string& from, const std::string& to) {

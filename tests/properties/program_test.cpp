@@ -285,6 +285,19 @@ TEST_F(Program, TextIsQuotedForAShellAndEscapedForATerminal) {
   EXPECT_EQ(printable("a\n\t\x1b[31m\x7f\xc2\x9b\xc3\xa9"), "a\\n\\t\\x1b[31m\\x7f\\x9b\xc3\xa9");
 }
 
+TEST_F(Program, AReplayIsPrintedAsItsUserTypesIt) {
+  const std::string adapter = LIECHECK_FIXTURES "/adapters/rotations.py";
+  const std::string campaign =
+      "campaign --no-hard-cases --cases 200 --property log_oracle --scalar double --adapter "
+      "'/usr/bin/python3 " +
+      adapter + "'";
+  EXPECT_NE(run(campaign).out.find("   replay   liecheck replay "), std::string::npos);
+  const std::string called =
+      shell("LIECHECK_CALLED_AS='npx liecheck' LIECHECK_SERVES='/usr/bin/python3 ' $L " + campaign).out;
+  EXPECT_NE(called.find("   replay   npx liecheck replay "), std::string::npos) << called;
+  EXPECT_NE(called.find(" --adapter " + adapter + "\n"), std::string::npos) << called;
+}
+
 TEST_F(Program, LostOutputIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
   for (const std::string& what : {std::string("list"), std::string("--help"), quick}) {

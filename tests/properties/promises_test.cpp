@@ -6,6 +6,7 @@
 #include <campaign/cliffs.hpp>
 #include <campaign/expected.hpp>
 #include <cmath>
+#include <failures/promises.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
@@ -40,6 +41,14 @@ TypedSubject<double> longer(const std::string& name) {
 }
 const Registered<double> by_thirty(longer<30>("promises:thirty")),
     by_a_million(longer<1000000>("promises:million"));
+/// Euler angles of liecheck, with an error of a millionth near gimbal lock and where the middle angle is 0.
+const Registered<double> at_gimbal_lock =
+    registered("promises:gimbal", op::euler_from_matrix, [](const double& order, const Mat<double, 3, 3>& R) {
+      auto angles = own_subject().operations[op::euler_from_matrix](order, R);
+      const double lock = std::fabs(std::sin(2 * angles[1]));
+      if (lock > 1e-9 && lock < 1e-6) angles[0] += 1e-6;
+      return angles;
+    });
 const bool outside = [] {
   Subject s = erased(longer<30>("promises:outside"));
   s.adapter = "a command";
@@ -311,6 +320,24 @@ TEST_F(Promises, AreWrittenByTheProgramAndKept) {
           "--limits p.limits"),
       0)
       << out();
+}
+
+TEST_F(Promises, CoverNoCliffOfInputsWithoutAnAngle) {
+  CampaignOptions o = options("promises:gimbal", Profile::careful, nullptr, 2000);
+  o.selection.properties = {"euler_angles"};
+  const CampaignResult r = run_campaign(o, built_in_robot());
+  const std::string expected = liecheck::properties::Promises(r).promised().expected;
+  EXPECT_NE(expected.find("euler_from_matrix, rotation, all = up to "), std::string::npos) << expected;
+}
+
+TEST_F(Promises, AreWrittenWhenTheyAreInterrupted) {
+  const std::string promise = "cd " + folder.string() +
+                              " && timeout -s INT 2 " LIECHECK_PROGRAM
+                              " promise textbook --cases 100000 --out i.limits";
+  liecheck::shell(promise);
+  const std::string text = read_whole(folder / "i.limits");
+  EXPECT_NE(text.find("(seed 42), interrupted: campaigns may break what stands here.\n"), text.npos) << text;
+  EXPECT_FALSE(parse_limits("i.limits", text).lines.empty());
 }
 
 TEST_F(Promises, AreKeptWithOtherSeedsSinceWhatNoLimitCanPromiseIsExpected) {

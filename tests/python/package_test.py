@@ -161,6 +161,8 @@ class Pytest(unittest.TestCase):
         ):
             self.assertIn(fault, red[f"test_mylib[{law}-double]"])
         self.assertEqual(len(red), 4)
+        replay = r"replay +python\S* -m liecheck replay raw\.\S+ --adapter \S*/test_mylib\.py:test_mylib\n"
+        self.assertRegex(red["test_mylib[log_oracle-double]"], replay)
         self.assertIn("test_mylib[pose_group-double]", said)
         self.assertNotIn("Traceback", said)
         self.assertRegex(said, "4 failed, [1-9] passed")

@@ -3,7 +3,7 @@
 "use strict";
 const fs = require("fs"), os = require("os");
 const {spawn} = require("child_process");
-const {program, notStarted, commandOf, scalarsOf} = require("./program.js");
+const {program, notStarted, commandOf, scalarsOf, environment} = require("./program.js");
 
 /** An argument as the program takes it. */
 function translated(argument) {
@@ -20,7 +20,7 @@ function fail(error) {
 }
 
 function main() {
-  const child = spawn(program(), process.argv.slice(2).map(translated), {stdio: "inherit"});
+  const child = spawn(program(), process.argv.slice(2).map(translated), {stdio: "inherit", env: environment()});
   child.on("error", error => fail(notStarted(error)));
   // A terminal gives its signals to the program, too. The program decides what they end.
   for (const signal of ["SIGINT", "SIGQUIT"]) process.on(signal, () => {});

@@ -33,10 +33,19 @@ function shown(file) {
   return relative.startsWith("..") ? file : relative;
 }
 
+/** What the command that serves an adapter has before its file. */
+function serves() {
+  return [process.execPath, shown(path.join(__dirname, "adapter.js")), ""].map(word => word && quoted(word)).join(" ");
+}
+/** The environment of the program, which prints the commands that a user of this package types. */
+function environment() {
+  return Object.assign({}, process.env, {LIECHECK_CALLED_AS: "npx liecheck", LIECHECK_SERVES: serves()});
+}
+
 /** The command that serves the adapter of a file. Throws an error, in words for its user, if there is none. */
 function commandOf(file) {
   if (!fs.existsSync(file)) throw new Error(`${file}: no such file; paths are from ${process.cwd()}`);
-  return [process.execPath, shown(path.join(__dirname, "adapter.js")), shown(path.resolve(file))].map(quoted).join(" ");
+  return serves() + quoted(shown(path.resolve(file)));
 }
 
 /** The scalars of the adapter of a file; says what it may have misspelt. Throws an error if it cannot be loaded. */
@@ -57,4 +66,4 @@ function scalarsOf(file) {
   }
 }
 
-Object.assign(exports, {program, notStarted, commandOf, scalarsOf});
+Object.assign(exports, {program, notStarted, commandOf, scalarsOf, environment});

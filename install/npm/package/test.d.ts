@@ -9,7 +9,7 @@ export interface Law {
    */
   run(...context: unknown[]): Promise<void>;
 }
-/** Flags of `liecheck test`: {cases: 500, "no-probe": true}. 2000 cases and seed 42 if they are not given. */
+/** Flags of `liecheck test`: {cases: 500, "no-probe": true}. 1000 cases and seed 42 if they are not given. */
 export type Flags = {[flag: string]: string | number | true | (string | number)[]};
 /**
  * A case for each law and scalar of which the adapter offers an operation. adapter: a path from the working folder, or

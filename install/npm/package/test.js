@@ -2,7 +2,7 @@
 "use strict";
 const {spawn, spawnSync} = require("child_process");
 const path = require("path"), url = require("url");
-const {program, notStarted, commandOf, scalarsOf} = require("./program.js");
+const {program, notStarted, commandOf, scalarsOf, environment} = require("./program.js");
 
 const running = new Set();  // programs, which end with this process
 function end() {
@@ -13,7 +13,7 @@ function start(file, args) {
     process.on("exit", end);
     for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, passOn);
   }
-  const child = spawn(file, args, {stdio: ["ignore", "pipe", "pipe"]});
+  const child = spawn(file, args, {stdio: ["ignore", "pipe", "pipe"], env: environment()});
   running.add(child);
   child.on("close", () => {
     running.delete(child);
@@ -48,7 +48,7 @@ function run(file, args, t) {
     if (signal && signal.addEventListener) signal.addEventListener("abort", () => child.kill());
     child.on("error", error => reject(notStarted(error)));
     child.on("close", (code, ended) => {
-      const lines = text.stdout.split("\n").filter(line => !line.startsWith("--verbose"));
+      const lines = text.stdout.split("\n--verbose shows")[0].split("\n");
       if (code !== 0) {
         const told = code === 1 || code === 3 ? lines.join("\n").trim() : "";
         const last = ended ? "" : text.stderr.trim().split("\n").pop();
@@ -77,7 +77,7 @@ function flagsOf(options) {
 exports.laws = function laws(adapter, options = {}) {
   const file = adapter instanceof URL || /^file:/.test(adapter) ? url.fileURLToPath(adapter) : adapter;
   const command = commandOf(file), scalars = scalarsOf(file);
-  const flags = flagsOf(Object.assign({cases: 2000, seed: 42}, options));
+  const flags = flagsOf(Object.assign({cases: 1000, seed: 42}, options));
   const listed = spawnSync(program(), ["list", "--laws", "--adapter", command], {encoding: "utf8"});
   if (listed.error) throw notStarted(listed.error);
   if (listed.status !== 0) throw failure(listed.stderr.trim().split("\n").pop(), file);

@@ -46,7 +46,7 @@ def main():
             return supervised(lambda state: loaded(words[1]).serve(state))
         words = [program.path(), *translated(words)]
         try:
-            os.execv(words[0], words)
+            os.execve(words[0], words, program.environment())
         except OSError as error:
             raise program.not_for_this_machine(error) from None
     except Wrong as wrong:

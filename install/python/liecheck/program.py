@@ -3,6 +3,7 @@ import ctypes
 import os
 import pathlib
 import platform
+import shlex
 import shutil
 import sys
 
@@ -37,8 +38,17 @@ def ends_with_its_parent(signal):
     LIBC.prctl(1, signal)  # PR_SET_PDEATHSIG
 
 
+def serves():
+    """What the command that serves a target has before it."""
+    return f"exec {shlex.quote(sys.executable)} -m liecheck serve "
+
+
 def serving(target):
     """The command that serves what a target names."""
-    import shlex
+    return serves() + shlex.quote(target)
 
-    return f"exec {shlex.quote(sys.executable)} -m liecheck serve {shlex.quote(target)}"
+
+def environment():
+    """The environment of the program, which prints the commands that a user of this package types."""
+    called = f"{pathlib.Path(sys.executable).name} -m liecheck"
+    return {**os.environ, "LIECHECK_CALLED_AS": called, "LIECHECK_SERVES": serves()}

@@ -31,7 +31,7 @@ def pytest_addoption(parser):
 def started(words):
     """Runs the program, which ends with this process, and returns its exit code and what it says. Its adapter
     finds the modules that pytest finds."""
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+    environment = {**program.environment(), "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     try:
         process = subprocess.Popen(
             [program.path(), *words],

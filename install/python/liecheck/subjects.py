@@ -24,7 +24,7 @@ class Subject:
         )
 
 
-def subject(library, *, limits=None, profile=None, cases=2000, seed=42, rules=None):
+def subject(library, *, limits=None, profile=None, cases=1000, seed=42, rules=None):
     """A test function for pytest, one test for each law and scalar of which the library, a class, an instance
     or a module, offers an operation: `test_mylib = liecheck.subject(MyLib())`, at the top of a test file.
     limits: the file of limits, beside the test file; profile and rules as the flags of `liecheck test`; cases
