@@ -61,7 +61,8 @@ VerdictFile::VerdictFile(const std::string& name, const std::string& header) : n
   std::string text = std::filesystem::exists(name_) ? read_whole(name_) : "";
   const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
   if (whole == 0 && !header.starts_with(text))
-    throw std::runtime_error(fmt::format("{}:1: this run needs '{}', but the file has '{}'", name_, header, text));
+    throw std::runtime_error(
+        fmt::format("{}:1: this run needs '{}', but the file has '{}'", name_, header, text));
   text.resize(whole);
   if (text.empty()) {
     text = header + "\n";
@@ -82,8 +83,7 @@ VerdictFile::VerdictFile(const std::string& name, const std::string& header) : n
     }
     LatticeRow row;
     if (!read_row(line, row))
-      throw std::runtime_error(
-          fmt::format("{}:{}: this is no verdict of lattice: {}", name_, number, line));
+      throw std::runtime_error(fmt::format("{}:{}: this is no verdict of lattice: {}", name_, number, line));
     rows_[row.key()] = row;
   }
   file_.open(name_, std::ios::app);

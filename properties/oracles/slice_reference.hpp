@@ -26,7 +26,8 @@ inline double inverse_coefficient(double x) {
   static const std::array<double, 30> a = [] {
     std::array<double, 30> all;
     for (int n = 1; n <= 30; ++n)
-      all[std::size_t(n - 1)] = std::fabs(boost::math::bernoulli_b2n<double>(n)) / boost::math::factorial<double>(unsigned(2 * n));
+      all[std::size_t(n - 1)] =
+          std::fabs(boost::math::bernoulli_b2n<double>(n)) / boost::math::factorial<double>(unsigned(2 * n));
     return all;
   }();
   double sum = 0;

@@ -12,7 +12,7 @@ namespace {
 
 template <class Text, std::same_as<double> T>
 void expectSame(const Text& text, T, std::chars_format format) {
-  if constexpr (requires(T& x) { std::from_chars(text.data(), text.data(), x, format); }) {
+  if constexpr (requires(T & x) { std::from_chars(text.data(), text.data(), x, format); }) {
     T a = 7, b = 7;
     const char *const first = text.data(), *const last = first + text.size();
     const auto expected = std::from_chars(first, last, a, format);
@@ -20,7 +20,8 @@ void expectSame(const Text& text, T, std::chars_format format) {
     EXPECT_EQ(got.ptr - first, expected.ptr - first) << text << ' ' << int(format);
     EXPECT_EQ(got.ec, expected.ec) << text << ' ' << int(format);
     if (!std::isnan(a) || !std::isnan(b)) {
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(b), std::bit_cast<std::uint64_t>(a)) << text << ' ' << int(format);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(b), std::bit_cast<std::uint64_t>(a))
+          << text << ' ' << int(format);
     }
   } else {
     GTEST_SKIP() << "the standard library has no std::from_chars for double to compare with";
@@ -32,12 +33,59 @@ constexpr std::chars_format formats[] = {std::chars_format::general, std::chars_
 
 TEST(FromChars, ReadsByStrtodWhatTheStandardReads) {
   for (const std::chars_format format : formats)
-    for (const char* text :
-         {"", " 1", "+1", "-", "-+1", "--1", "0", "-0", "1", "1.", ".5", ".", "-.", "1e3", "1e", "1e+", "1e+3",
-          "1E-3", "0x10", "-0x1p3", "1.8p+3", "1.8p", "p3", "ff", "1e400", "-1e400", "1e-400", "4.9e-324", "5e-324",
-          "2.2250738585072014e-308", "inf", "-inf", "INFINITY", "infinit", "in", "nan", "-nan", "nanx", "i", "n",
-          "e5", "1,5", "1 2", "1kg", "1.5m/s", "0.1", "123456789012345678901234567890", "1.7976931348623159e308",
-          "1p2000", "1p-2000", "1p-1074", "abc", "x"})
+    for (const char* text : {"",
+                             " 1",
+                             "+1",
+                             "-",
+                             "-+1",
+                             "--1",
+                             "0",
+                             "-0",
+                             "1",
+                             "1.",
+                             ".5",
+                             ".",
+                             "-.",
+                             "1e3",
+                             "1e",
+                             "1e+",
+                             "1e+3",
+                             "1E-3",
+                             "0x10",
+                             "-0x1p3",
+                             "1.8p+3",
+                             "1.8p",
+                             "p3",
+                             "ff",
+                             "1e400",
+                             "-1e400",
+                             "1e-400",
+                             "4.9e-324",
+                             "5e-324",
+                             "2.2250738585072014e-308",
+                             "inf",
+                             "-inf",
+                             "INFINITY",
+                             "infinit",
+                             "in",
+                             "nan",
+                             "-nan",
+                             "nanx",
+                             "i",
+                             "n",
+                             "e5",
+                             "1,5",
+                             "1 2",
+                             "1kg",
+                             "1.5m/s",
+                             "0.1",
+                             "123456789012345678901234567890",
+                             "1.7976931348623159e308",
+                             "1p2000",
+                             "1p-2000",
+                             "1p-1074",
+                             "abc",
+                             "x"})
       expectSame(std::string(text), 0., format);
 }
 
@@ -63,7 +111,8 @@ TEST(FromChars, ReadsByStrtodWhatIsWritten) {
       double y = 7;
       const char* const end = std::to_chars(text, text + sizeof text, x, format).ptr;
       const auto [read, error] = fromCharsByStrtod(text, end, y, format);
-      ASSERT_TRUE(error == std::errc() && read == end && std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y))
+      ASSERT_TRUE(error == std::errc() && read == end &&
+                  std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y))
           << std::string_view(text, std::size_t(end - text));
     }
   }

@@ -25,15 +25,17 @@ inline std::from_chars_result fromCharsByStrtod(const char* first, const char* l
   const char* const begin = first + (negative ? 1 : 0);
   const std::string_view rest(begin, static_cast<std::size_t>(last - begin));
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const bool is_word = !rest.empty() && is_letter(rest[0]) && (!hex || std::string_view("iInN").find(rest[0]) != std::string_view::npos);
-  const char* const marks = is_word                               ? "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                            : hex                                 ? "0123456789abcdefABCDEF.pP+-"
+  const bool is_word = !rest.empty() && is_letter(rest[0]) &&
+                       (!hex || std::string_view("iInN").find(rest[0]) != std::string_view::npos);
+  const char* const marks = is_word ? "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                            : hex   ? "0123456789abcdefABCDEF.pP+-"
                             : format == std::chars_format::fixed ? "0123456789."
-                                                                  : "0123456789.eE+-";
+                                                                 : "0123456789.eE+-";
   std::string text = (negative ? "-" : "") + std::string(hex && !is_word ? "0x" : "");
   const std::size_t added = text.size();
   text += rest.substr(0, std::min(rest.size(), rest.find_first_not_of(marks)));
-  if (text.size() == added || text[added] == '+' || text[added] == '-') return {first, std::errc::invalid_argument};
+  if (text.size() == added || text[added] == '+' || text[added] == '-')
+    return {first, std::errc::invalid_argument};
   char* end = nullptr;
   const int kept = std::exchange(errno, 0);
   const double result = ::strtod_l(text.c_str(), &end, plain);

@@ -161,7 +161,8 @@ class Switches {
     return {};
   }
 
-  std::vector<std::array<double, 2>> last_;  ///< what each rose by between the two times, and its value at the later one
+  std::vector<std::array<double, 2>>
+      last_;  ///< what each rose by between the two times, and its value at the later one
   double times_[2] = {0, 0};
   int known_ = 0;
   bool settled_ = true;
