@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <liecheck/text/from_chars.hpp>
 #include <stdexcept>
 #include <support/checksum.hpp>
 #include <support/files.hpp>
@@ -23,8 +24,13 @@ std::vector<std::string> fields_of(const std::string& line) {
 
 template <class T>
 bool read_number(const std::string& text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
+  const char *const first = text.data(), *const last = first + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::is_floating_point_v<T>)
+    read = fromChars(first, last, value);
+  else
+    read = std::from_chars(first, last, value);
+  return read.ec == std::errc() && read.ptr == last;
 }
 
 std::string line_of(const LatticeRow& row) {
@@ -55,7 +61,8 @@ VerdictFile::VerdictFile(const std::string& name, const std::string& header) : n
   std::string text = std::filesystem::exists(name_) ? read_whole(name_) : "";
   const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
   if (whole == 0 && !header.starts_with(text))
-    throw std::runtime_error(fmt::format("{}:1: this run needs '{}', but the file has '{}'", name_, header, text));
+    throw std::runtime_error(
+        fmt::format("{}:1: this run needs '{}', but the file has '{}'", name_, header, text));
   text.resize(whole);
   if (text.empty()) {
     text = header + "\n";
@@ -76,8 +83,7 @@ VerdictFile::VerdictFile(const std::string& name, const std::string& header) : n
     }
     LatticeRow row;
     if (!read_row(line, row))
-      throw std::runtime_error(
-          fmt::format("{}:{}: this is no verdict of lattice: {}", name_, number, line));
+      throw std::runtime_error(fmt::format("{}:{}: this is no verdict of lattice: {}", name_, number, line));
     rows_[row.key()] = row;
   }
   file_.open(name_, std::ios::app);

@@ -14,7 +14,8 @@ namespace properties {
 namespace {
 
 const RobotNumbers& quadruped() {
-  static const RobotNumbers numbers = robot_numbers({"quadruped", quadruped_urdf, "", false, ""});
+  static const RobotNumbers numbers =
+      robot_numbers({.name = "quadruped", .urdf = quadruped_urdf, .path = "", .hash = ""});
   return numbers;
 }
 

@@ -9,10 +9,10 @@
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <liecheck/text/from_chars.hpp>
 #include <nlohmann/json.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
@@ -193,7 +193,7 @@ class ProtocolProcess final : public Process {
     child.write(b.inputs.data(), b.inputs.size());
     const std::string answer = child.line("the line 'timed NANOSECONDS'");
     double ns = 0;
-    if (answer.starts_with("timed ")) std::from_chars(answer.data() + 6, answer.data() + answer.size(), ns);
+    if (answer.starts_with("timed ")) fromChars(answer.data() + 6, answer.data() + answer.size(), ns);
     if (!(ns > 0) || !std::isfinite(ns))
       Child::fail(fmt::format("wrote {} where the line 'timed NANOSECONDS' is due", quoted(answer)));
     return ns;

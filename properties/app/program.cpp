@@ -12,6 +12,7 @@
 #include <charconv>
 #include <initializer_list>
 #include <iostream>
+#include <liecheck/text/from_chars.hpp>
 #include <liecheck/text/utf8.hpp>
 #include <rules/rules.hpp>
 #include <stdexcept>
@@ -40,7 +41,7 @@ std::uint64_t decimal(const std::string& flag, const std::string& text, std::uin
 double parse_duration(const std::string& flag, const std::string& text) {
   double value = 0;
   const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+      fromChars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
   const std::string unit(end, text.data() + text.size());
   const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
   if (error != std::errc() || factor == 0 || !(value > 0) || !(value * factor <= 1e7))

@@ -1,7 +1,7 @@
 #include <budgets/input_region.hpp>
 
 #include <algorithm>
-#include <charconv>
+#include <liecheck/text/from_chars.hpp>
 
 namespace liecheck::properties {
 
@@ -21,8 +21,8 @@ std::optional<InputRegion> parse_input_region(const std::string& text) {
       const auto dots = text.find("..");
       if (dots == text.npos) continue;
       const char *dot = text.data() + dots, *end = text.data() + text.size();
-      const auto low = std::from_chars(text.data() + prefix.size(), dot, region.low);
-      const auto high = std::from_chars(dot + 2, end, region.high);
+      const auto low = fromChars(text.data() + prefix.size(), dot, region.low);
+      const auto high = fromChars(dot + 2, end, region.high);
       if (low.ec == std::errc() && low.ptr == dot && high.ec == std::errc() && high.ptr == end)
         region.axis = axis;
     }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <liecheck/text/from_chars.hpp>
 #include <map>
 #include <operations/operations.hpp>
 #include <sstream>
@@ -211,7 +211,7 @@ class Parser {
   }
   double positive(const char* what, const std::string& text) const {
     double x = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), x);
     if (error != std::errc() || end != text.data() + text.size() || !(x > 0) || std::isinf(x))
       refuse(fmt::format("{} '{}' is not a positive and finite number", what, text));
     return x;

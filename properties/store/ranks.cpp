@@ -1,6 +1,7 @@
 #include <store/ranks.hpp>
 
 #include <cstdlib>
+#include <initializer_list>
 #include <stdexcept>
 
 #ifdef LIECHECK_MPI

@@ -91,16 +91,19 @@ template <Scalar S>
 std::string shortname(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return j.shortname(); }, joint);
 }
+namespace joint_detail {
+template <Scalar T, template <Scalar> class J, Scalar S>
+Joint<T> cast(const J<S>& joint) {
+  if constexpr (std::is_empty_v<J<S>>)
+    return J<T>();
+  else
+    return joint.template cast<T>();
+}
+}  // namespace joint_detail
 /// The joint with its constants, if it has any, converted to T.
 template <Scalar T, Scalar S>
 Joint<T> cast(const Joint<S>& joint) {
-  const auto converted = []<template <Scalar> class J>(const J<S>& j) -> Joint<T> {
-    if constexpr (std::is_empty_v<J<S>>)
-      return J<T>();
-    else
-      return j.template cast<T>();
-  };
-  return std::visit(converted, joint);
+  return std::visit([](const auto& j) { return joint_detail::cast<T>(j); }, joint);
 }
 
 }  // namespace liecheck

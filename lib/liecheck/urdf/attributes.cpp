@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <liecheck/text/from_chars.hpp>
 #include <liecheck/urdf/attributes.hpp>
 #include <limits>
 #include <string>
@@ -43,7 +43,7 @@ constexpr NumericAttributes numeric_attributes[] = {
 std::optional<double> oneNumber(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
   return value;
 }

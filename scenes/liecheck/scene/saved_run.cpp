@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <liecheck/scene/setup.hpp>
+#include <liecheck/text/from_chars.hpp>
 
 namespace liecheck::scene {
 namespace {
@@ -98,7 +99,7 @@ class Reader {
     at_ += first_line.size();
   }
   void get(double& x) {
-    number(x, std::chars_format::hex);
+    number(x);
     if (!std::isfinite(x)) throw std::invalid_argument("is not a whole checkpoint: a number is not finite");
   }
   void get(long& n) { number(n); }
@@ -117,12 +118,18 @@ class Reader {
   }
 
  private:
-  template <class T, class... Format>
-  void number(T& x, Format... format) {
+  template <class T>
+  void number(T& x) {
     while (at_ != end_ && (*at_ == ' ' || *at_ == '\n')) ++at_;
-    const auto [after, error] = std::from_chars(at_, end_, x, format...);
+    const auto [after, error] = read(at_, end_, x);
     if (error != std::errc()) throw std::invalid_argument("is not a whole checkpoint: a number is missing");
     at_ = after;
+  }
+  static std::from_chars_result read(const char* at, const char* end, double& x) {
+    return fromChars(at, end, x, std::chars_format::hex);
+  }
+  static std::from_chars_result read(const char* at, const char* end, long& n) {
+    return std::from_chars(at, end, n);
   }
   /// A count of things that are still to be read, each of so many numbers, which have at least two characters.
   long count(long numbers) {

@@ -17,6 +17,11 @@ namespace liecheck::scene {
 
 template <Scalar S>
 class Switches {
+  struct Held {
+    S value;  ///< at the last evaluation
+    S sign;   ///< 1 where the branch applies, and -1 otherwise
+  };
+
  public:
   /// Call before the effects of one evaluation; they then ask in the same order each time.
   void restart() { at_ = 0; }
@@ -43,7 +48,7 @@ class Switches {
    private:
     friend Switches;
     Switches* all_ = nullptr;  ///< null if nothing is to be stored
-    typename Switches::Held* held_ = nullptr;
+    Held* held_ = nullptr;
   };
   Next next(std::size_t count) {
     Next functions;
@@ -145,10 +150,6 @@ class Switches {
   void forget() { crossed_ = false; }
 
  private:
-  struct Held {
-    S value;  ///< at the last evaluation
-    S sign;   ///< 1 where the branch applies, and -1 otherwise
-  };
   std::vector<Held> held_;
   /// The share x in (0, 1) of a step at which g + slope x + bend x^2, which rose by `rise` in it and at the rate of `before`
   /// in the step before, is least, if that is below g/10.
@@ -160,7 +161,8 @@ class Switches {
     return {};
   }
 
-  std::vector<std::array<double, 2>> last_;  ///< what each rose by between the two times, and its value at the later one
+  std::vector<std::array<double, 2>>
+      last_;  ///< what each rose by between the two times, and its value at the later one
   double times_[2] = {0, 0};
   int known_ = 0;
   bool settled_ = true;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <liecheck/multibody/nearest_names.hpp>
+#include <liecheck/text/from_chars.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -100,7 +101,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   const char* begin = text.data();
   const char* last = text.data() + text.size();
   if (text.starts_with('+') && !text.starts_with("+-")) ++begin;
-  const auto [end, error] = std::from_chars(begin, last, value);
+  const auto [end, error] = fromChars(begin, last, value);
   const std::string wanted = unit == "1" ? "a number" : "a number in " + unit;
   if (error == std::errc::result_out_of_range)
     throw std::invalid_argument("'" + text + "' is outside the range of double");
