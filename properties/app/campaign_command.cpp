@@ -131,7 +131,7 @@ void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& faile
           .push_back(fmt::format("{}cliff: {}\n  {} of {} in {}; worst  {}\n", c.expected ? "expected " : "",
                                  text_of(*series, c), series->property, series->subject, series->scalar,
                                  replay_words(series->id(r.options.seed, row.worst_index).text(),
-                                                replay_flags(*series, r.robot))));
+                                              replay_flags(*series, r.robot))));
     }
   for (const Expectation& e : expectations_of(r))
     if (all || e.measured > 0) (e.passed() ? others : expected).push_back(text_of(e) + "\n");
@@ -139,8 +139,7 @@ void print_cliffs(const CampaignResult& r, const std::vector<FailedBlock>& faile
   const std::size_t hidden = all || expected.size() <= most ? 0 : expected.size() - most;
   expected.resize(expected.size() - hidden);
   others.insert(others.end(), expected.begin(), expected.end());
-  const char* before = "\n";
-  for (const std::string& line : others) say("{}{}", std::exchange(before, ""), line);
+  if (!others.empty()) say("\n{}", fmt::join(others, ""));
   if (hidden) say("and {} more that are as expected: --all lists them\n", hidden);
 }
 
@@ -155,8 +154,8 @@ void print_not_measured(const CampaignResult& r, bool all) {
     if (lines.size() > shown) say("  and {} more: --all prints them\n", lines.size() - shown);
     for (const auto& [cell, row] : tally.rows)
       if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
-        say("  for example  {}\n", replay_words(series->id(r.options.seed, row.worst_index).text(),
-                                                  replay_flags(*series, r.robot)));
+        say("  for example  {}\n",
+            replay_words(series->id(r.options.seed, row.worst_index).text(), replay_flags(*series, r.robot)));
         break;
       }
   }
@@ -288,12 +287,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   print_oracles(r, f.verbose);
   print_measured(r, hard_cases);
   if (!f.verbose) say("--verbose shows each law, each row that fails, the coverage and the digests\n");
-  for (const Finding& first : told.findings)
-    if (!first.own.empty()) {
-      say("a limits file accepts a known failure by a line below [expected], such as: {}, {}, any = WHY, LINK\n",
-          first.operation, first.own.front()->block);
-      break;
-    }
+  print_how_to_accept(told);
   return code_of(r, hard_cases);
 }
 

@@ -82,4 +82,12 @@ void print_failures(const CampaignResult& r, bool all) {
   if (!all && failed.size() > 1) say("\nThis is the worst one; --all prints each in full\n");
 }
 
+void print_how_to_accept(const ToldFindings& told) {
+  const auto first = std::ranges::find_if(told.findings, [](const Finding& f) { return !f.own.empty(); });
+  if (first != told.findings.end())
+    say("a limits file accepts a known failure by a line below [expected], such as: {}, {}, any = WHY, "
+        "LINK\n",
+        first->operation, first->own.front()->block);
+}
+
 }  // namespace liecheck::properties
