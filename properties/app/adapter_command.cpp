@@ -37,7 +37,7 @@ int check(const AdapterCheckFlags& f) try {
   say("{}\n", d.offered.empty() ? "it offers nothing"
               : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
                                 : fmt::format("every function agrees with its definition to {:g} at moderate "
-                                                        "angles; 'liecheck campaign' measures its accuracy",
+                                                        "angles; 'liecheck test' measures its accuracy",
                                               conventions::probe_tolerance));
   return wrong || d.offered.empty() ? property_failed : within_budget;
 } catch (const adapters::AdapterFailed& e) {

@@ -287,7 +287,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   print_oracles(r, f.verbose);
   print_measured(r, hard_cases);
   if (!f.verbose) say("--verbose shows each law, each row that fails, the coverage and the digests\n");
-  print_how_to_accept(told);
+  print_how_to_accept(told, f.all);
   return code_of(r, hard_cases);
 }
 
@@ -310,14 +310,12 @@ int run(const CampaignFlags& f) {
   const bool quiet = !f.store.first_shard();
   Differences differ = f.no_probe ? Differences() : f.selection.adapters.withhold_others(quiet);
   differ.outside = f.selection.adapters.outside(robot);
+  leave_out_withheld(selection, differ);
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         differ.conventions.empty()
             ? "nothing to run: no selected subject offers a selected property in that scalar"
-            : fmt::format(
-                  "nothing is judged: {}. Change it in the adapter, state it, or judge the library as it "
-                  "is with --no-probe",
-                  fmt::join(differ.conventions, "; ")));
+            : nothing_judged(differ));
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);

@@ -54,8 +54,8 @@ struct ToldFindings {
 };
 ToldFindings told_findings(const CampaignResult& result, const std::vector<HardRow>& hard_cases, bool all);
 void print(const ToldFindings& findings);
-/// Prints the line of a limits file that expects the first finding.
-void print_how_to_accept(const ToldFindings& findings);
+/// Prints the line of a limits file that expects the first failure, or those of all.
+void print_how_to_accept(const ToldFindings& findings, bool all);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);

@@ -157,6 +157,23 @@ std::string text_of(const Differences& found, const std::vector<WrongCall>& wron
   return text;
 }
 
+std::string nothing_judged(const Differences& found) {
+  return fmt::format(
+      "nothing is judged: {}. Change it in the adapter, state it, or judge the library as it is with "
+      "--no-probe",
+      fmt::join(found.conventions, "; "));
+}
+
+void leave_out_withheld(Selection& selection, const Differences& found) {
+  const auto known = subject_names();
+  const bool any = !selection.subjects.empty();
+  std::erase_if(selection.subjects, [&](const std::string& name) {
+    return std::ranges::find(known, name) == known.end() &&
+           std::ranges::any_of(found.probed, [&](const ProbedOperation& o) { return o.subject == name; });
+  });
+  if (any && selection.subjects.empty()) throw std::invalid_argument(nothing_judged(found));
+}
+
 void check_conventions(const std::string& text) {
   const Differences found = AdapterFlags{{text}}.withhold_others();
   for (const ProbedOperation& o : found.probed)

@@ -169,6 +169,12 @@ struct AdapterFlags {
   std::vector<std::string> outside(const Robot& robot) const;
 };
 
+/// Why no operation is judged: the conventions in which adapters differ, and what to do.
+std::string nothing_judged(const Differences& found);
+/// Leaves out the adapters of whose operations every one is withheld. Throws std::invalid_argument, with the conventions in
+/// which they differ, if none is left.
+void leave_out_withheld(Selection& selection, const Differences& found);
+
 /// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck.
 void check_conventions(const std::string& adapter);
 

@@ -82,12 +82,20 @@ void print_failures(const CampaignResult& r, bool all) {
   if (!all && failed.size() > 1) say("\nThis is the worst one; --all prints each in full\n");
 }
 
-void print_how_to_accept(const ToldFindings& told) {
-  const auto first = std::ranges::find_if(told.findings, [](const Finding& f) { return !f.own.empty(); });
-  if (first != told.findings.end())
-    say("a limits file accepts a known failure by a line below [expected], such as: {}, {}, any = WHY, "
-        "LINK\n",
-        first->operation, first->own.front()->block);
+void print_how_to_accept(const ToldFindings& told, bool all) {
+  std::vector<std::string> lines;
+  for (const Finding& finding : told.findings)
+    for (const auto* blocks : {&finding.own, &finding.others})
+      for (const FailedBlock* f : *blocks) {
+        const std::string line = fmt::format("{}, {}, any = WHY, LINK", f->operation, f->block);
+        if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+      }
+  if (lines.empty()) return;
+  if (all)
+    say("lines of a limits file that accept these failures:\n[expected]\n{}\n", fmt::join(lines, "\n"));
+  else
+    say("a limits file accepts a known failure by a line below [expected], such as: {}{}\n", lines.front(),
+        lines.size() > 1 ? fmt::format("; --all prints all {}", lines.size()) : "");
 }
 
 }  // namespace liecheck::properties

@@ -76,9 +76,10 @@ void print_interrupted(const char* where) {
 /// Runs everything that a report shows and writes the record.
 fs::path run_campaign_of_report(const ReportFlags& f) {
   const bool everything = f.selection.subjects.empty() && f.selection.adapters.adapters.empty();
-  const Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
+  Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
   const Differences found = f.selection.adapters.withhold_others();
   const std::vector<std::string>& differ = found.conventions;
+  leave_out_withheld(selection, found);
   for (const std::string& text : differ) warn("not judged: " + text + "\n");
   const Robot robot = f.cases.robot.read();
   CostOptions times;

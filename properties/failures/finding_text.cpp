@@ -56,8 +56,9 @@ std::string less_than_the_worst(const FailedBlock& f, const Shrunk& example) {
   return lost.empty() || 10 * score > std::min(f.score, all) ? "" : ": " + lost;
 }
 
-/// The call that shows a failure, what is wrong with its result, and how to repeat it.
-std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try {
+/// The call that shows a failure, what is wrong with its result, and how to repeat it. `alone`: the result fails in no other
+/// block, so that the digits which this one loses are those of the number that is shown.
+std::string example_of(const FailedBlock& f, const CampaignResult& campaign, bool alone) try {
   const BandOf& w = *f.worst;
   const Series& series = *w.series;
   const auto output = static_cast<int>(w.output);
@@ -80,7 +81,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   else if (const std::string number =
                f.block == "sign" || !s->reproduced ? "" : worst_number_text(series, of, all);
            !number.empty())
-    text += fmt::format("            {}{}\n", number, less_than_the_worst(f, *s));
+    text += fmt::format("            {}{}\n", number, alone ? less_than_the_worst(f, *s) : "");
   else if (call && !call->thrown.empty())
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
@@ -195,11 +196,12 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");
   if (guess.empty()) guess = needed_term_of(*first.worst->series, first.worst->output);
+  if (worst_outcome(*first.worst->row) == "refused") guess.clear();  // it is no number that is wrong
   if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
                         others.size() == 1 ? "fails" : "fail");
-  text += example_of(first, campaign) + also_of(first, campaign);
+  text += example_of(first, campaign, blocks.size() == 1) + also_of(first, campaign);
   if (!finding.hard_rows.empty())
     text += fmt::format("   hard     {} hard case{} of the same cause: {}{}\n", finding.hard_rows.size(),
                         finding.hard_rows.size() == 1 ? "" : "s", finding.hard_rows.front()->entry->name,

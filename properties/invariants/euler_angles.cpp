@@ -105,14 +105,15 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     std::iota(all.begin(), all.end(), 0);
     return all;
   }();
-  /// An adapter refuses the orders that its library lacks.
+  /// Orders that an adapter refuses at every probe are outside its domain. What it refuses in another order, such as angles
+  /// near gimbal lock, is a rotation that it must answer.
   template <class F>
   static void unless_refused(Recorder& r, const TwoOutputs& outputs, F measured) {
     try {
       measured();
     } catch (const CallFailed& e) {
       if (e.outcome != Outcome::refused && e.outcome != Outcome::outside_domain) throw;
-      for (const Output& output : outputs) r.outcome(output, 0, Outcome::outside_domain);
+      for (const Output& output : outputs) r.outcome(output, 0, e.outcome);
     }
   }
   /// A multiple of pi/2, within 4 ulp of one, near one, small, or any.

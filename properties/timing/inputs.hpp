@@ -39,9 +39,11 @@ Vec<S, 4> quaternion_in(const CostBand& band, Source& source) {
 }  // namespace timing_detail
 
 /// One input of a law. Vectors are uniform in a cube with edges of 2 m. Rotations have an angle in the band.
-/// In a pair of quaternions, the first has an angle in 0.1..pi-0.1; the angle between both is in the band.
+/// In a pair of quaternions, the first has an angle in 0.1..pi-0.1; the angle between both is in the band. Euler angles are in
+/// the order of this number.
 template <class S>
-std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source) {
+std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source,
+                          int order = 0) {
   using namespace timing_detail;
   std::vector<S> x;
   Vec<S, 4> before = Vec<S, 4>::Zero();
@@ -89,7 +91,7 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
         for (int k = 0; k < f.size; ++k) x.push_back(angle_in<S>(band, source));
         break;
       case Kind::choice:
-        for (int k = 0; k < f.size; ++k) x.push_back(S(0));
+        for (int k = 0; k < f.size; ++k) x.push_back(S(f.name == "order" ? order : 0));
         break;
       case Kind::positive:
         for (int k = 0; k < f.size; ++k) x.push_back(S(1) + source.unit<S>());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
 #include <invariants/arguments.hpp>
 #include <iterator>
@@ -35,14 +36,24 @@ struct CostPlan {
   bool stopped() const { return options.stop && *options.stop; }
 };
 
+/// The first order of Euler angles that all of these subjects take, or 0.
+inline int common_order(const std::vector<std::string>& names) {
+  std::uint32_t all = Taken::every_order;
+  for (const Scalar* scalar : {&oracles::scalar_of<float>, &oracles::scalar_of<double>})
+    for (const Subject* s : subjects(*scalar))
+      if (std::ranges::find(names, s->name) != names.end()) all &= s->takes.orders;
+  return all ? std::countr_zero(all) : 0;
+}
+
 /// The inputs for every subject of a scalar: `each` inputs of every band, one band after another.
 template <class S>
 std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, const CostOptions& options,
-                                        std::size_t each) {
+                                        std::size_t each, int order = 0) {
   std::vector<std::vector<S>> all;
   for (std::size_t b = 0; b < options.bands().size(); ++b)
     for (std::size_t i = 0; i < each; ++i)
-      all.push_back(cost_input<S>(fields, options.bands()[b], Source({options.seed, b, i, 0x636f7374})));
+      all.push_back(
+          cost_input<S>(fields, options.bands()[b], Source({options.seed, b, i, 0x636f7374}), order));
   return all;
 }
 
@@ -68,7 +79,9 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
                         const Property& law, const Operation& operation,
                         const std::vector<Offered<Input>>& all) {
   const std::vector<Field> fields = law.fields();
-  const auto inputs = cost_inputs<Input>(fields, plan.options, each);
+  std::vector<std::string> names;
+  for (const Offered<Input>& offered : all) names.push_back(offered.subject);
+  const auto inputs = cost_inputs<Input>(fields, plan.options, each, common_order(names));
   std::vector<std::vector<double>> numbers;
   for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
   // The inputs of all bands are shuffled, so that a processor cannot predict the next band.

@@ -160,6 +160,15 @@ export function exp3_quaternion([x, y, z]) {
     assert.match(refusal(["list"], {NODE_OPTIONS: "--require ./platform.cjs"}), /for linux-x64, and this is darwin-x64: /);
   },
 
+  argumentsAreOneArrayAndRefusedInputsAreNotTimed() {
+    write("bad.mjs", `export const slerp = (a, b, t) => a;
+export const euler_to_quaternion = ([order]) => { if (order < 12) throw new RangeError("no such order"); return [0, 0, 0, 1]; };`);
+    assert.match(liecheck(["adapter", "check", "bad.mjs"]).stderr, /bad.mjs: slerp takes more than one argument, and gets all numbers in one array\n/);
+    const {status, stdout, stderr} = liecheck(["cost", "--adapter", "bad.mjs", "--op", "euler_to_quaternion", "--for", "1s"]);
+    assert.strictEqual(status, 0, stdout + stderr);
+    assert.match(stdout, /euler_to_quaternion/);
+  },
+
   whatIsWrongWithAResultIsSaidInWords() {
     write("bad.mjs", `import {refuse} from "liecheck";
 export const exp3_quaternion = ([x, y, z]) => [x, y, z], normalize = async Q => Q, quaternion_inverse = Q => [Q[0], undefined, 1, 1];

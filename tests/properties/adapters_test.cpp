@@ -175,7 +175,8 @@ def log3_quaternion(q):
     s = math.sqrt(sum(x * x for x in q[1:])) or 1e-300
     return [2 * math.atan2(math.copysign(s, q[0]), abs(q[0])) / s * x for x in q[1:]]
 functions = {"exp3_quaternion": (exp3_quaternion, 3), "log3_quaternion": (log3_quaternion, 4),
-             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)} 
+             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)}
+functions = {name: f for name, f in functions.items() if name in globals().get("only", functions)} 
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
 answers.write(json.dumps({"protocol": 1, "name": "w_first", "version": "1",
@@ -218,6 +219,12 @@ TEST(Adapters, OperationsInOtherConventionsAreNamedAndNotJudged) {
       run("campaign --property exp_oracle --cases 100 --no-hard-cases --adapter " + adapter);
   EXPECT_EQ(nothing, 2) << "no operation of this law is left";
   EXPECT_NE(why.find("nothing is judged: " + named), std::string::npos) << why;
+  const std::string alone = python_adapter("{}\nonly = ['exp3_quaternion']");
+  const auto [left, told] = run("test '" + alone + "' --cases 100");
+  EXPECT_EQ(left, 2) << "no operation of this adapter is left";
+  EXPECT_NE(told.find("nothing is judged: quaternions are stored w x y z in exp3_quaternion"),
+            std::string::npos)
+      << told;
   const auto [judged, verdict] = run("campaign --no-probe" + options + adapter);
   EXPECT_EQ(judged, 1);
   EXPECT_NE(verdict.find("  log3_quaternion (rotation vector): "), std::string::npos) << verdict;

@@ -93,6 +93,21 @@ FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)})");
       << text;
 }
 
+TEST(Findings, ARefusalNearGimbalLockIsOne) {
+  const std::string adapter = adapter_with("refuses_lock.py", R"(
+def euler_from_matrix(x):
+    if x[0] != 11 or abs(x[7]) > 0.999:
+        raise ValueError("no such order" if x[0] != 11 else "gimbal lock")
+    return np.arctan2(x[4], x[1]), np.arcsin(-x[7]), np.arctan2(x[8], x[9])
+
+
+FUNCTIONS = {"euler_from_matrix": (euler_from_matrix, 10, 3)})");
+  const std::string text = campaign("--property euler_angles --scalar double --adapter '" + adapter + "'", 1);
+  EXPECT_NE(text.find("euler_from_matrix (rotation, range): refused in double"), std::string::npos) << text;
+  EXPECT_NE(text.find("            the input is refused: gimbal lock\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("   perhaps"), std::string::npos) << text;
+}
+
 TEST(Findings, TheExampleHasTheOrderThatTheAdapterStates) {
   auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
   const auto replace = [&](const std::string& from, const std::string& to) {

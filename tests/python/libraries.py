@@ -95,6 +95,19 @@ class Misnamed:
         return xi
 
 
+class Misspelt:
+    def invers(self, X):
+        return X
+
+    def compose(self, X, Y):
+        return X @ Y
+
+
+class Foreign:
+    def exp3_matrix(phi):
+        return Foreign()
+
+
 class Arity:
     def act_point(self, X, a, b, c):
         return a

@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import time
@@ -254,6 +255,7 @@ class CommandLine(unittest.TestCase):
             ("libraries:Transposed", "Transposed.inverse gave a pose whose last row is"),
             ("libraries:Nothing", "Nothing.log3_quaternion gave None, where phi has shape (3,)"),
             ("libraries:Misnamed", "Misnamed has no function that is an operation (exp_6; near: exp6)"),
+            ("libraries:Foreign", "Foreign.exp3_matrix gave a Foreign, where R has shape (3, 3)"),
             ("libraries:Arity", "Arity.act_point does not take 2 arguments: X has shape (4, 4)"),
             ("libraries:Raises", "Raises.exp3_matrix raised AttributeError"),
             ("libraries:Scalars", "has 'float16', where float32 or float64 is due"),
@@ -261,6 +263,8 @@ class CommandLine(unittest.TestCase):
         ):
             said = liecheck("test", target, code=2).strip()
             self.assertTrue(said.startswith("liecheck: ") and words in said and "\n" not in said, said)
+        said = liecheck("test", "libraries:Misspelt", "--cases", "100")
+        self.assertIn("liecheck: Misspelt has no operation invers (is it inverse?)\n", said)
         ENVIRONMENT["LIECHECK_PROGRAM"] = str(HERE / "libraries.py")
         try:
             self.assertIn("there is no program", liecheck("list", code=2))
@@ -296,6 +300,11 @@ class CommandLine(unittest.TestCase):
             json.loads(said.splitlines()[0])["timed"]["quaternion_product"], "one, many, own types"
         )
         self.assertEqual(len(re.findall(r"^timed [1-9]\d*$", said, re.MULTILINE)), 3)
+        # Calls that are refused, as some orders of Euler angles, are not timed.
+        half = struct.pack("<8d", 0, 0, 0, 0, 0, 0, 0, 1).decode("latin1")
+        asked = f"liecheck 1\ntime one quaternion_inverse double 2 3\n{half}"
+        said = run(PYTHON, "-m", "liecheck", "serve", "libraries:Forms", input=asked, encoding="latin1")
+        self.assertRegex(said, r"\ntimed [1-9]\d*\n")
 
 
 if __name__ == "__main__":

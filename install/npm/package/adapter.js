@@ -1,5 +1,5 @@
 // What an adapter in JavaScript offers. Run as a program, `node adapter.js FILE` answers the calls of liecheck with it,
-// and `node adapter.js FILE --look` prints its scalars and what it may have misspelt, as JSON.
+// and `node adapter.js FILE --look` prints its scalars and what may be wrong with it, as JSON.
 "use strict";
 const fs = require("fs"), path = require("path"), url = require("url");
 const {spawnSync} = require("child_process");
@@ -61,7 +61,12 @@ async function main(file, look) {
     const adapter = await load(path.resolve(file));
     const subject = subjectOf(adapter, path.parse(file).name.replace(/\W/g, "_"));
     if (!look) answer(subject);
-    else fs.writeSync(1, JSON.stringify({scalars: subject.scalars, misspelt: misspelt(adapter)}));
+    else {
+      const many = Object.keys(subject.functions).filter(name => subject.functions[name] && subject.functions[name].length > 1);
+      const notes = misspelt(adapter).map(name => `no operation: ${name}`)
+        .concat(many.map(name => `${name} takes more than one argument, and gets all numbers in one array`));
+      fs.writeSync(1, JSON.stringify({scalars: subject.scalars, notes}));
+    }
     exit(0);
   } catch (error) {
     const checked = error instanceof SyntaxError ? spawnSync(process.execPath, ["--check", file]).stderr : "";

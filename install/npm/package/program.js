@@ -48,15 +48,15 @@ function commandOf(file) {
   return serves() + quoted(shown(path.resolve(file)));
 }
 
-/** The scalars of the adapter of a file; says what it may have misspelt. Throws an error if it cannot be loaded. */
+/** The scalars of the adapter of a file; says what may be wrong with it. Throws an error if it cannot be loaded. */
 function scalarsOf(file) {
   const seconds = 15;
   const done = spawnSync(process.execPath, [path.join(__dirname, "adapter.js"), file, "--look"],
                          {encoding: "utf8", timeout: 1000 * seconds});
   if (done.error && done.error.code === "ETIMEDOUT") throw new Error(`${file}: it was not loaded in ${seconds} s`);
   try {
-    const {scalars, misspelt} = JSON.parse(done.stdout);
-    for (const name of misspelt) process.stderr.write(`liecheck: ${file}: no operation: ${name}\n`);
+    const {scalars, notes} = JSON.parse(done.stdout);
+    for (const note of notes) process.stderr.write(`liecheck: ${file}: ${note}\n`);
     return scalars;
   } catch (error) {
     const last = done.stderr.trim().split("\n").pop().replace(/^liecheck: /, "");

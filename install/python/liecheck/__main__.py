@@ -12,9 +12,16 @@ def command_of(target):
     """The command that serves a target, which is served once, so that what is wrong with it is said here."""
     command = program.serving(target)
     with subprocess.Popen(
-        ["/bin/sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        ["/bin/sh", "-c", command],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "LIECHECK_LOOK": "1"},
     ) as p:
         errors = p.communicate(b"liecheck 1\n")[1].decode(errors="replace").strip()
+    for line in () if p.returncode else errors.splitlines():
+        if line.startswith("liecheck: "):
+            print(line, file=sys.stderr)
     if p.returncode:
         last = (
             errors.splitlines()[-1] if errors else f"{target}: its process ends with exit code {p.returncode}"

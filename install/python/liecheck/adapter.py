@@ -1,7 +1,10 @@
 """A class, an instance or a module as an adapter: its functions that are operations, which take and give
 NumPy arrays."""
+import difflib
 import inspect
+import os
 import re
+import sys
 
 import numpy as np
 
@@ -65,7 +68,7 @@ def numbers(value, y, lead, who, of=None):
             if isinstance(y, np.ndarray)
             else "None"
             if y is None
-            else f"a {type(y).__name__}" + f" of {len(y)}" * isinstance(y, (tuple, list))
+            else f"a {type(y).__name__}" + (f" of {len(y)}" if isinstance(y, (tuple, list)) else "")
         )
         many = f" for each of {lead[0]} inputs" if lead else ""
         raise Wrong(f"{who} gave {what}{f' in its {of.name}' if of else ''}, where {value.words()}{many}")
@@ -226,7 +229,8 @@ class Adapter:
                 owner = owner()
             except Exception as error:
                 raise Wrong(f"{self.who}() raised {in_words(error)}") from None
-        self.conventions, self.target = conventions_of(owner, self.who), target
+        self.owner, self.target = owner, target
+        self.conventions = conventions_of(owner, self.who)
         self.name = re.sub(r"[^A-Za-z0-9_-]", "_", self.text(owner, "name", self.who.split(".")[-1]))
         self.version = self.text(owner, "version", self.text(owner, "__version__", ""))
         batch = getattr(owner, "batch", False) is True
@@ -267,6 +271,17 @@ class Adapter:
         like = next((f" ({name}{found})" for name in names if (found := near(name, known))), "")
         return like or f" (it has {', '.join(names[:5])})" * bool(names)
 
+    def misspelt(self):
+        """'name (is it operation?)', of the functions that have nearly the name of an operation."""
+        known = list(signatures())
+        names = [
+            name
+            for name in dir(self.owner)
+            if name not in known and not name.startswith("_") and callable(getattr(self.owner, name, None))
+        ]
+        found = [(name, difflib.get_close_matches(name, known, 1, 0.85)) for name in names]
+        return [f"{name} (is it {like[0]}?)" for name, like in found if like and like[0] not in self.bound]
+
     def description(self):
         """The line of the protocol."""
         arguments = {o: ", ".join(f"{{{v.name}}}" for v in signatures()[o][0]) for o in self.bound}
@@ -301,6 +316,9 @@ class Adapter:
     def serve(self, state):
         """Probes the functions, and answers. A crash of the probe is found again by a call."""
         if state[0] == protocol.STARTING:
+            if os.environ.get("LIECHECK_LOOK"):  # of the command line, which serves an adapter once before it starts
+                for name in self.misspelt():
+                    print(f"liecheck: {self.who} has no operation {name}", file=sys.stderr)
             state[0] = protocol.PROBING
             try:
                 for bound in self.bound.values():
