@@ -143,7 +143,9 @@ class ArgumentReader {
   double scale_of(const double* x, int n) const {
     long double sum = 0;
     for (int i = 0; i < n; ++i) sum += static_cast<long double>(x[i]) * x[i];
-    return static_cast<double>(std::log2(std::sqrt(sum))) / scalar_.max_exponent;
+    const auto scale = static_cast<double>(std::log2(std::sqrt(sum)));
+    // The length of a unit vector differs from 1 by rounding, which tells nothing.
+    return std::fabs(scale) < 1e-5 ? 0 : scale / scalar_.max_exponent;
   }
 
   void add_number(const Part& part, int i, double x) {

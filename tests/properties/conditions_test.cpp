@@ -38,7 +38,18 @@ void add_euler(const std::string& name,
   register_subject(s);
 }
 
+/// liecheck's angle_between, doubled where rounding has left a longer than 1.
+void add_angle(const std::string& name) {
+  Subject s{name, "1", "", &oracles::scalar_of<double>};
+  s.operations[op::angle_between] = [right = erased(own_subject()).operations[op::angle_between]](
+                                        const Vec<double, 3>& a, const Vec<double, 3>& b) -> double {
+    return right(a, b) * (std::hypot(a[0], a[1], a[2]) >= 1 ? 2 : 1);
+  };
+  register_subject(s);
+}
+
 const bool are_registered = [] {
+  add_angle("where:rounding");
   add("where:w", [](const auto& Q, const auto&) { return Q[3] < 0; });
   add("where:length", [](const auto&, const auto& p) { return p.norm() > 3e5; });
   add("where:y", [](const auto& Q, const auto&) { return Q[1] < 0; });
@@ -63,7 +74,8 @@ const bool are_registered = [] {
 std::optional<Condition> found(const std::string& subject) {
   for (const auto& s : select({{subject}, {}, {"double"}}, built_in_robot()))
     for (std::size_t i = 0; i < s->outputs.size(); ++i)
-      if (s->outputs[i].operation == "rotate_point" || s->outputs[i].operation == "euler_to_matrix")
+      if (s->outputs[i].operation == "angle_between" || s->outputs[i].operation == "rotate_point" ||
+          s->outputs[i].operation == "euler_to_matrix")
         return condition_of(*s, i, 42);
   ADD_FAILURE() << "no law measures the operation";
   return std::nullopt;
@@ -111,6 +123,7 @@ TEST(Conditions, WithoutWhichNoneFailsAreFound) {
 
 TEST(Conditions, AreNotMadeUp) {
   EXPECT_EQ(text("where:any"), "");
+  EXPECT_EQ(text("where:rounding"), "") << "the length of a unit vector";
   EXPECT_EQ(text("where:angle"), "") << "an angle, of which the bands tell";
 }
 
