@@ -43,7 +43,8 @@ void add_angle(const std::string& name) {
   Subject s{name, "1", "", &oracles::scalar_of<double>};
   s.operations[op::angle_between] = [right = erased(own_subject()).operations[op::angle_between]](
                                         const Vec<double, 3>& a, const Vec<double, 3>& b) -> double {
-    return right(a, b) * (std::hypot(a[0], a[1], a[2]) >= 1 ? 2 : 1);
+    const long double square = a.cast<long double>().squaredNorm();
+    return right(a, b) * (square >= 1 ? 2 : 1);
   };
   register_subject(s);
 }
