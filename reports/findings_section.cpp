@@ -230,8 +230,9 @@ std::string findings_section(const Looks& looks) {
   return fmt::format(
       "<section id=\"findings\" aria-labelledby=\"findings-title\"><h2 id=\"findings-title\">What is "
       "wrong{}</h2>\n{}{}{}</section>\n",
-      all.empty() ? std::string()
-                  : fmt::format(": {} finding{}", all.size(), all.size() == 1 ? "" : "s, the worst first"),
+      all.empty()
+          ? std::string()
+          : fmt::format(": {} finding{}", all.size(), all.size() == 1 ? "" : "s, first what costs most"),
       all.empty()
           ? ""
           : "<p class=\"note\">The cases that a finding counts are those of its bands of angles or, with "

@@ -241,25 +241,6 @@ void print_details(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   say("\n{}inputs  {}\nresults {}\n", fmt::join(limits_of(r), ""), r.inputs_digest, r.results_digest);
 }
 
-/// What was measured, in one line.
-void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
-  std::set<std::string> laws, scalars, whose;
-  for (const auto& [series, tally] : r.series) {
-    laws.insert(series->property), scalars.insert(series->scalar);
-    whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
-  }
-  std::map<std::tuple<const HardCase*, std::string, std::string>, bool> cases;  // whether a law fails
-  for (const HardRow& row : hard_cases)
-    for (const HardCell& c : row.cells) cases[{row.entry, c.subject, c.scalar}] |= c.failed || c.open;
-  const auto failing = std::ranges::count_if(cases, [](const auto& c) { return c.second; });
-  say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}, robot {}{} ({}); limits {}", r.total_cases,
-      laws.size(), laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
-      printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash, fmt::join(whose, ", "));
-  const char* const verb = failing == 1 ? "fails or has" : "fail or have";
-  if (!cases.empty()) say("; {} hard cases, of which {} {} no verdict", cases.size(), failing, verb);
-  say("\n");
-}
-
 /// Prints the verdict, the findings, how conventions differ, what was measured and, if verbose, details; returns the exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const ToldFindings& told,
                    const CampaignFlags& f, const Differences& differ) {
@@ -269,10 +250,11 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   const std::size_t many = told.findings.size();
   print_verdict(
       r, hard_cases,
-      fmt::format("{}{}",
-                  subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
-                                      : fmt::format("; {}", fmt::join(subjects, ", ")),
-                  many ? fmt::format(": {} finding{}", many, many > 1 ? "s, the worst first" : "") : ""));
+      fmt::format(
+          "{}{}",
+          subjects.size() > 3 ? fmt::format("; {} subjects", subjects.size())
+                              : fmt::format("; {}", fmt::join(subjects, ", ")),
+          many ? fmt::format(": {} finding{}", many, many > 1 ? "s, first what costs most" : "") : ""));
   print(told);
   if (!f.verbose) print_cliffs(r, told.failed, f.all), print_not_measured(r, f.all);
   for (const std::string& name : without_trees(f))

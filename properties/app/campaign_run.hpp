@@ -57,6 +57,9 @@ void print(const ToldFindings& findings);
 /// Prints the line of a limits file that expects the first failure, or those of all.
 void print_how_to_accept(const ToldFindings& findings, bool all);
 
+/// Prints what was measured, in one line.
+void print_measured(const CampaignResult& result, const std::vector<HardRow>& hard_cases);
+
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
 

@@ -1,11 +1,13 @@
-// The failures of a campaign on the terminal: a table, worst first, and then the worst one in full.
+// What a campaign found, on the terminal: its findings, a table of its failures, worst first, and what was measured.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
 #include <failures/findings.hpp>
+#include <map>
 #include <set>
 #include <support/progress.hpp>
 #include <support/say.hpp>
@@ -96,6 +98,29 @@ void print_how_to_accept(const ToldFindings& told, bool all) {
   else
     say("a limits file accepts a known failure by a line below [expected], such as: {}{}\n", lines.front(),
         lines.size() > 1 ? fmt::format("; --all prints all {}", lines.size()) : "");
+}
+
+void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  std::set<std::string> laws, scalars, whose;
+  for (const auto& [series, tally] : r.series) {
+    laws.insert(series->property), scalars.insert(series->scalar);
+    whose.insert(series->own ? printable(series->own->file) : std::string(name_of(series->profile)));
+  }
+  std::map<std::tuple<const HardCase*, std::string, std::string>, bool> cases;  // whether a law fails
+  for (const HardRow& row : hard_cases)
+    for (const HardCell& c : row.cells) cases[{row.entry, c.subject, c.scalar}] |= c.failed || c.open;
+  const auto failing = std::ranges::count_if(cases, [](const auto& c) { return c.second; });
+  const bool on_robot =
+      !r.robot.path.empty() || std::ranges::any_of(r.series, [](const auto& s) { return s.first->on_robot; });
+  say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}{}; limits {}", r.total_cases, laws.size(),
+      laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
+      on_robot ? fmt::format(", robot {}{} ({})", printable(r.robot.name), r.robot.fixed ? ", fixed" : "",
+                             r.robot.hash)
+               : "",
+      fmt::join(whose, ", "));
+  const char* const verb = failing == 1 ? "fails or has" : "fail or have";
+  if (!cases.empty()) say("; {} hard cases, of which {} {} no verdict", cases.size(), failing, verb);
+  say("\n");
 }
 
 }  // namespace liecheck::properties

@@ -303,9 +303,10 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
                         });
     findings.push_back(
         {false,
-         differ ? fmt::format("choice \"{}\": {}", c.name, fmt::join(each, ", "))
-                : fmt::format("choice \"{}\": \"{}\" in {}; an adapter that states it is held to it", c.name,
-                              value, fmt::join(decided, ", ")),
+         differ ? fmt::format("choice \"{}\": {}; all are right", c.name, fmt::join(each, ", "))
+                : fmt::format(
+                      "choice \"{}\": \"{}\" in {}, which is right; an adapter that states it is held to it",
+                      c.name, value, fmt::join(decided, ", ")),
          decided, true,
          (!differ || common.front() != free_choice) && (value == c.values.front() || value == free_choice)});
   }

@@ -1,9 +1,10 @@
 #include <oracles/means.hpp>
 
-#include <boost/math/special_functions/bernoulli.hpp>
-#include <boost/math/special_functions/factorials.hpp>
+#include <cmath>
+#include <numbers>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
+#include <oracles/zeta.hpp>
 
 namespace liecheck::oracles {
 namespace {
@@ -81,10 +82,11 @@ void add_inverse_jacobian(Matrix6& H, const Vec6<>& xi, double w) {
       }
   }
   for (std::size_t i = 0; i < 6; ++i) power[i][i] = 1;
+  // B_2k / (2k)! = 2 (-1)^(k + 1) zeta(2k) / (2 pi)^2k.
   static const std::array<double, 32> bernoulli = [] {
     std::array<double, 32> c{1, -.5};
     for (std::size_t k = 2; k < 32; k += 2)
-      c[k] = boost::math::bernoulli_b2n<double>(int(k / 2)) / boost::math::factorial<double>(unsigned(k));
+      c[k] = (k % 4 ? 2 : -2) * zeta(double(k)) / std::pow(2 * std::numbers::pi, double(k));
     return c;
   }();
   for (std::size_t k = 0; k < 32; ++k) {

@@ -4,9 +4,8 @@
 // closed forms.
 
 #include <array>
-#include <boost/math/special_functions/bernoulli.hpp>
-#include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
+#include <oracles/zeta.hpp>
 
 namespace liecheck::oracles::slice {
 
@@ -21,13 +20,12 @@ inline double series(int k, double x) {
   for (int i = 2; i <= k; ++i) factorial *= i;
   return sum / factorial;
 }
-/// (1 - (theta/2) cot(theta/2)) / theta^2 = sum_n |B_2n| / (2 n)! x^(n - 1) (Euler), at x <= pi^2.
+/// (1 - (theta/2) cot(theta/2)) / theta^2 = sum_n 2 zeta(2 n) (2 pi)^(-2 n) x^(n - 1) (Euler), at x <= pi^2.
 inline double inverse_coefficient(double x) {
   static const std::array<double, 30> a = [] {
     std::array<double, 30> all;
     for (int n = 1; n <= 30; ++n)
-      all[std::size_t(n - 1)] =
-          std::fabs(boost::math::bernoulli_b2n<double>(n)) / boost::math::factorial<double>(unsigned(2 * n));
+      all[std::size_t(n - 1)] = 2 * zeta(2.0 * n) / std::pow(4 * std::atan(1.0) * 2, 2 * n);
     return all;
   }();
   double sum = 0;

@@ -187,7 +187,7 @@ TEST(Choices, ThatDifferBetweenOperationsAreNamedForEach) {
       });
   EXPECT_TRUE(std::ranges::any_of(all.findings, [](const auto& f) {
     return f.sentence ==
-               R"(choice "quaternion sign": "w >= 0" in exp3_quaternion, "continuous" in integrate)" &&
+               R"(choice "quaternion sign": "w >= 0" in exp3_quaternion, "continuous" in integrate; all are right)" &&
            !f.usual;
   }));
 }
