@@ -110,8 +110,9 @@ void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_ca
   for (const HardRow& row : hard_cases)
     for (const HardCell& c : row.cells) cases[{row.entry, c.subject, c.scalar}] |= c.failed || c.open;
   const auto failing = std::ranges::count_if(cases, [](const auto& c) { return c.second; });
-  const bool on_robot =
-      !r.robot.path.empty() || std::ranges::any_of(r.series, [](const auto& s) { return s.first->on_robot; });
+  const bool on_robot = !r.robot.path.empty() || std::ranges::any_of(r.series, [](const SeriesResult& s) {
+    return s.series->on_robot;
+  });
   say("measured {} cases of {} law{} in {} in {:.1f} s, seed {}{}; limits {}", r.total_cases, laws.size(),
       laws.size() == 1 ? "" : "s", fmt::join(scalars, " and "), r.elapsed, r.options.seed,
       on_robot ? fmt::format(", robot {}{} ({})", printable(r.robot.name), r.robot.fixed ? ", fixed" : "",
