@@ -196,7 +196,8 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");
   if (guess.empty()) guess = needed_term_of(*first.worst->series, first.worst->output);
-  if (worst_outcome(*first.worst->row) == "refused") guess.clear();  // it is no number that is wrong
+  if (worst_outcome(*first.worst->row) == "refused")
+    guess.clear();  // no number is wrong that a guess could explain
   if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),

@@ -9,13 +9,12 @@
 #include <cmath>
 #include <conventions/choices.hpp>
 #include <conventions/reference.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <numbers>
 
 #include "../scratch.hpp"
+#include "../shell.hpp"
 
 namespace liecheck::properties::adapters {
 namespace {
@@ -193,8 +192,8 @@ TEST(Choices, ThatDifferBetweenOperationsAreNamedForEach) {
 }
 
 TEST(Choices, OneOfEulerAnglesThatIsStatedAndBrokenIsAFinding) {
-  const std::string folder = scratch() + "/liecheck_choices_";
-  std::ofstream(folder + "breaks.py") << R"(import json, math, struct, sys
+  const std::string file = scratch() + "/liecheck_choices_breaks.py";
+  std::ofstream(file) << R"(import json, math, struct, sys
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
 answers.write(json.dumps({"protocol": 1, "name": "breaks", "version": "1", "conventions": {"angle range": "0 to 2 pi"},
@@ -210,13 +209,8 @@ for line in iter(calls.readline, b""):
     answers.write(f"done {n}\n".encode() + status + struct.pack(f"<{3 * n}d", *y))
     answers.flush()
 )";
-  const std::string said = folder + "said";
-  const int code = std::system(
-      (LIECHECK_PROGRAM " test '/usr/bin/python3 " + folder + "breaks.py' --cases 300 >" + said + " 2>&1")
-          .c_str());
-  std::ifstream file(said);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(WEXITSTATUS(code), 1) << text;
+  const auto [code, text] = shell(LIECHECK_PROGRAM " test '/usr/bin/python3 " + file + "' --cases 300");
+  EXPECT_EQ(code, 1) << text;
   EXPECT_NE(text.find("1  euler_from_quaternion (rotation): wrong branch in double"), text.npos) << text;
   EXPECT_NE(text.find("\n            the adapter states \"angle range\": \"0 to 2 pi\", but an angle is -"),
             text.npos)

@@ -69,11 +69,14 @@ TEST(Findings, TheExampleIsOneThatAPersonWouldWrite) {
       << text;
 }
 
-/// rotations.py with one more function and other FUNCTIONS.
-std::string adapter_with(const std::string& file, const std::string& functions) {
+/// The command of rotations.py with one more function, other FUNCTIONS and, in place of programs, another last member.
+std::string adapter_with(const std::string& file, const std::string& functions,
+                         const std::string& member = R"("source": source})") {
   auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
-  const std::string from = "FUNCTIONS = {";
-  program.replace(program.find(from), from.size(), functions + "\nOTHERS = {");
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>("FUNCTIONS = {", functions + "\nOTHERS = {"),
+        {R"("source": source})", member}})
+    program.replace(program.find(from), from.size(), to);
   std::ofstream(liecheck::scratch() + file) << program;
   return "/usr/bin/python3 " + liecheck::scratch() + file;
 }
@@ -109,24 +112,15 @@ FUNCTIONS = {"euler_from_matrix": (euler_from_matrix, 10, 3)})");
 }
 
 TEST(Findings, TheExampleHasTheOrderThatTheAdapterStates) {
-  auto [code, program] = liecheck::shell("cat " LIECHECK_FIXTURES "/adapters/rotations.py");
-  const auto replace = [&](const std::string& from, const std::string& to) {
-    ASSERT_NE(program.find(from), program.npos) << from;
-    program.replace(program.find(from), from.size(), to);
-  };
-  replace("FUNCTIONS = {", R"(
+  const std::string adapter = adapter_with("w_first.py", R"(
 def log3_quaternion(Q):
     theta = 2 * np.arccos(np.clip(Q[0], -1, 1))
     return Q[1:] * (theta / np.sin(theta / 2) if theta > 0 else 2)
 
 
-FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)}
-OTHERS = {)");
-  replace(R"("source": source})", R"("conventions": {"quaternion": "wxyz"}})");
-  const std::string file = liecheck::scratch() + "w_first.py";
-  std::ofstream(file) << program;
-  const std::string text =
-      campaign("--property log_oracle --scalar double --adapter '/usr/bin/python3 " + file + "'", 1);
+FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)})",
+                                           R"("conventions": {"quaternion": "wxyz"}})");
+  const std::string text = campaign("--property log_oracle --scalar double --adapter '" + adapter + "'", 1);
   EXPECT_NE(text.find("   example  log3_quaternion(Q (w, x, y, z) = -0.99"), std::string::npos) << text;
 }
 
