@@ -56,15 +56,17 @@ template <Scalar S>
   return sum;
 }
 
-/// Whether the pivot of D_kk is above its rounding error, 64 eps s^T Ic s, s the column of joint i. I^A s is
-/// no measure of this error: the joints behind may have left nothing but rounding errors of it. Most pivots
-/// are far above the rounding error of I^A and pass without Ic.
+/// Whether the pivot of D_kk is above its rounding error, eps (64 s^T Ic s + 4 |s|^2 B), s the column of joint i:
+/// B = trace + mass reach^2 bounds the inertias that I^A is summed from (InertiaBound). I^A itself is no
+/// measure of this error: the joints behind may have left nothing but rounding errors of it. Most pivots are
+/// far above it and pass without Ic.
 template <Scalar S>
 bool aboveRounding(const Model<S>& model, Data<S>& data, std::size_t i, const S& pivot, const Vector6<S>& s) {
-  const Matrix6<S>& I = data.work.articulated[i];  // numbers, because squaredNorm takes 3 % of aba's time
+  const auto& carried = data.work.carried[i];  // numbers, because squaredNorm takes 3 % of aba's time
   const S t = s[0] * s[0] + s[1] * s[1] + s[2] * s[2], w = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  const S all = t * (I(0, 0) + I(1, 1) + I(2, 2)) + w * (I(3, 3) + I(4, 4) + I(5, 5));
-  return pivot > S(4096) * eps<S>() * all || pivot > S(64) * eps<S>() * carriedInertia(model, data, i, s);
+  const S all = t * carried.mass + w * (carried.trace + carried.mass * carried.reach * carried.reach);
+  return pivot > S(256) * eps<S>() * all ||
+         pivot > eps<S>() * S(S(64) * carriedInertia(model, data, i, s) + S(4) * all);
 }
 
 /// Replaces D [n x n] of joint i by its Cholesky factor, D = L L^T, or by 1 / D if n = 1. Throws
@@ -166,6 +168,7 @@ void articulatedBodies(const Model<S>& model, Data<S>& data, In<S> tau, const Ex
     const MovingInertia<S> moving(body, w.velocity[i]);
     multibody_detail::build(
         w.articulated[i], [&]() __attribute__((always_inline)) { return moving.matrix(); });
+    w.carried[i] = InertiaBound<S>(body);
     w.force[i] = crossed(w.velocity[i], Force<S>(moving.f, moving.n));
     if (!fext.empty())
       w.force[i] = w.force[i] - (fext_in_world ? fext[i] : SE3<S>(R, Vector3<S>::Zero()).act(fext[i]));
@@ -187,6 +190,7 @@ void articulatedBodies(const Model<S>& model, Data<S>& data, In<S> tau, const Ex
     w.force[p] =
         w.force[p] + shifted(w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + f)), w.r[i]);
     addShifted(w.articulated[p], I, w.r[i]);
+    w.carried[p].join(w.carried[i], w.r[i]);
   }
 
   w.gravitated[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());

@@ -6,9 +6,37 @@
 #include <liecheck/algorithms/jacobians.hpp>
 
 namespace liecheck {
+namespace algorithms_detail {
+
+/// Whether the rows of J [6 x nv], each scaled to length 1, are linearly independent up to 64 eps: by modified
+/// Gram-Schmidt, the longest rest first. K below cannot tell: its errors are those of J times the condition of M.
+template <Scalar S>
+bool hasFullRank(Matrix6X<S> J) {
+  using std::sqrt;
+  const auto length = [&](int i) { return S(sqrt(S(J.row(i).squaredNorm()))); };
+  for (int i = 0; i < 6; ++i) {
+    const S l = length(i);
+    if (!(S(0) < l)) return false;
+    J.row(i) /= l;
+  }
+  for (int i = 0; i < 6; ++i) {
+    int longest = i;
+    for (int k = i + 1; k < 6; ++k)
+      if (length(longest) < length(k)) longest = k;
+    J.row(i).swap(J.row(longest));
+    const S l = length(i);
+    if (!(S(64) * eps<S>() < l)) return false;
+    J.row(i) /= l;
+    for (int k = i + 1; k < 6; ++k) J.row(k) -= S(J.row(i).dot(J.row(k))) * J.row(i);
+  }
+  return true;
+}
+
+}  // namespace algorithms_detail
 
 /// Lambda [6 x 6; kg, kg m, kg m^2] of a frame in the reference. Throws SingularInertia if M is not positive definite, and
 /// std::domain_error if J has not full rank, as for fewer than six coordinates: then a wrench can act without a motion.
+/// It throws std::domain_error, too, if J M^-1 J^T is singular to the precision of S.
 /// Updates liMi, oMi, J, M. q [nq].
 template <Scalar S>
 Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, In<S> q, int frame,
@@ -16,6 +44,7 @@ Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, 
   using namespace algorithms_detail;
   computeJointJacobians(model, data, q);
   Matrix6X<S> Y = getFrameJacobian(model, data, frame, reference);
+  if (!hasFullRank<S>(Y)) throw std::domain_error("the frame's Jacobian has not full rank");
   crba(model, data, q);
   factorize(model, data);
   // K = Y Y^T with Y = J L^-1 of M = L^T L, row k of which is on the path of k: columns of zeros, off the frame's path, stay.
@@ -32,10 +61,7 @@ Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, 
   // Scaled to a unit diagonal: forces and moments have other units.
   Vector6<S> scale;
   using std::sqrt;
-  for (int i = 0; i < 6; ++i) {
-    if (!(S(0) < K(i, i))) throw std::domain_error("the frame's Jacobian has not full rank");
-    scale[i] = S(1) / S(sqrt(K(i, i)));
-  }
+  for (int i = 0; i < 6; ++i) scale[i] = S(1) / S(sqrt(K(i, i)));
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) K(i, j) *= scale[i] * scale[j];
   Matrix6<S> L = Matrix6<S>::Zero();  // K = L L^T
@@ -44,7 +70,7 @@ Matrix6<S> computeOperationalSpaceInertia(const Model<S>& model, Data<S>& data, 
       S sum = K(i, j);
       for (int k = 0; k < j; ++k) sum -= L(i, k) * L(j, k);
       if (i == j) {
-        if (!(S(64) * eps<S>() < sum)) throw std::domain_error("the frame's Jacobian has not full rank");
+        if (!(S(64) * eps<S>() < sum)) throw std::domain_error("J M^-1 J^T is singular to working precision");
         L(i, i) = S(sqrt(sum));
       } else {
         L(i, j) = sum / L(j, j);

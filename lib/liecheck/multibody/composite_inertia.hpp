@@ -139,4 +139,28 @@ struct MovingInertia {
   }
 };
 
+/// Bounds the inertia of all bodies of a subtree about its origin, however they are turned: trace + mass reach^2.
+template <Scalar S>
+struct InertiaBound {
+  S mass = S(0), trace = S(0);  ///< sums of the masses [kg] and of the traces of I_C [kg m^2]
+  S reach = S(0);  ///< length of the longest way to a body's centre of mass, |x| + |y| + |z| of each part [m]
+
+  explicit InertiaBound(const CompositeInertia<S>& body)
+      : mass(body.mass), trace(S(body.xx + body.yy) + body.zz), reach(length(body.c)) {}
+  InertiaBound() = default;
+
+  /// Adds a subtree whose origin is at r [m].
+  [[gnu::always_inline]] void join(const InertiaBound& other, const Vector3<S>& r) {
+    const S way = length(r) + other.reach;
+    mass += other.mass, trace += other.trace;
+    if (reach < way) reach = way;
+  }
+
+ private:
+  static S length(const Vector3<S>& r) {
+    using std::abs;
+    return S(S(abs(r[0])) + S(abs(r[1]))) + S(abs(r[2]));
+  }
+};
+
 }  // namespace liecheck

@@ -124,6 +124,7 @@ class Data {
     Each<JoinedMass<S>> joined;         ///< cached mass ratios for adding subtree i to its parent
     Each<MovingInertia<S>> moving;      ///< inertias and momenta of subtrees about one point, in world axes
     Each<Matrix6<S>> articulated, D_factor;
+    Each<InertiaBound<S>> carried;               ///< of subtrees, for the rounding errors of `articulated`
     Matrix6X<S> S_columns, dS, U;                ///< [6 x ncolumns]
     Eigen::Matrix<S, 24, Eigen::Dynamic> rates;  ///< [24 x ncolumns] s, w, y and z of derivatives.hpp
     VectorX<S> u;                                ///< [ncolumns]
@@ -210,7 +211,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
   work.force.assign(n, Force<S>::Zero());
   work.inertia.resize(n), work.joined.resize(n);
-  work.articulated.resize(n), work.D_factor.resize(n);
+  work.articulated.resize(n), work.D_factor.resize(n), work.carried.resize(n);
   for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U}) m->resize(6, model.ncolumns);
   work.u.resize(model.ncolumns);
   if (dense == Dense::None) return;
