@@ -58,7 +58,7 @@ struct Sample {
   std::mt19937_64 random{1234};
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
   V3 vector() { return {number(), number(), number()}; }
-  V4 quaternion() { return V4(number(), number(), number(), number()).normalized(); }
+  V4 quaternion() { return V4{number(), number(), number(), number()}.normalized(); }
   V6 small_twist() { return stacked(vector(), vector()); }  // |phi| < 1.8
 };
 

@@ -79,8 +79,8 @@ std::vector<std::vector<double>> quadruped_states(std::size_t n, std::uint64_t s
   std::vector<std::vector<double>> all;
   for (std::size_t i = 0; i < n; ++i) {
     Source source({seed, 0, i, 0x71756164});
-    Vec<double, 4> Q(source.symmetric<double>(), source.symmetric<double>(), source.symmetric<double>(),
-                     source.symmetric<double>());
+    Vec<double, 4> Q;
+    for (const int k : {3, 2, 1, 0}) Q[k] = source.symmetric<double>();
     Q.normalize();
     std::vector<double> x;
     for (std::size_t k = 0; k < c.q.size(); ++k)

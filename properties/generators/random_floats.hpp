@@ -21,7 +21,8 @@ S step_ulps(const S& x, int k) {
 template <class S>
 S binade_uniform(Source& source, int low, int high) {
   using std::ldexp;
-  return S(ldexp(S(1) + source.unit<S>(), source.between(low, high - 1)));
+  const int exponent = source.between(low, high - 1);
+  return S(ldexp(S(1) + source.unit<S>(), exponent));
 }
 
 /// Log-uniform (by binade) on [low, high], 0 < low < high, by rejection.

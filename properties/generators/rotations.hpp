@@ -52,9 +52,8 @@ S angle(Source& source, AngleRange range) {
   if (kind <= 26) return binade_uniform<S>(source, -digits - 16, 1);
   if (kind <= 35) {
     const auto& cutoffs = common_cutoffs<S>();
-    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 4 : 0))],
-                          source.between(-3, 3));
-    return t;
+    const int steps = source.between(-3, 3);
+    return step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 4 : 0))], steps);
   }
   if (kind <= 53) {
     S t = pi - binade_uniform<S>(source, -digits - 1, 1);

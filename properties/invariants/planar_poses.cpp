@@ -104,7 +104,8 @@ class PlanarPoses final : public SlowLaw<PlanarPoses> {
   /// Along an axis, near one, or any.
   template <class S>
   static Vec<S, 2> unit_pair(Source& source) {
-    Vec<S, 2> r(source.symmetric<S>(), source.symmetric<S>());
+    const S y = source.symmetric<S>(), x = source.symmetric<S>();
+    Vec<S, 2> r(x, y);
     const std::uint64_t kind = source.below(4);
     const S sign = source.chance(1, 2) ? S(1) : S(-1);
     if (kind < 2) {

@@ -29,7 +29,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches> {
   std::vector<S> draw(Source& source) const {
     std::vector<S> x = Joined<S>{vector3<S>(source, 8), direction<S>(source)};
     const auto& cutoffs = common_cutoffs<S>();
-    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - 1)], source.between(-4, 4));
+    const int steps = source.between(-4, 4);
+    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - 1)], steps);
     x.push_back(t);
     x.push_back(step_ulps(t, source.between(1, 3)));
     return x;

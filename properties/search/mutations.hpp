@@ -70,13 +70,16 @@ class TypedMutations {
   /// +-2^-k u, with u uniform on [1/2, 1) and k uniform from 0 to the scalar's digits.
   static S step(Source& s) {
     using std::ldexp;
-    const S size = S(ldexp(S(1) + s.unit<S>(), -1 - s.between(0, digits)));
+    const int k = s.between(0, digits);
+    const S size = S(ldexp(S(1) + s.unit<S>(), -1 - k));
     return s.chance(1, 2) ? size : S(-size);
   }
   /// 1 + step or, with probability 1/4, a factor between 2^-8 and 2^8.
   static S factor(Source& s) {
     using std::ldexp;
-    return s.chance(1, 4) ? S(ldexp(S(1) + s.unit<S>(), s.between(-8, 7))) : S(S(1) + step(s));
+    if (!s.chance(1, 4)) return S(S(1) + step(s));
+    const int k = s.between(-8, 7);
+    return S(ldexp(S(1) + s.unit<S>(), k));
   }
   static int ulps(Source& s) {
     const int k = 1 << s.between(0, 10);
@@ -208,7 +211,8 @@ class TypedMutations {
       case 6:
         if (g.kind == Kind::rotation_vector && n > S(0)) {  // next to a cutoff
           const auto& cutoffs = common_cutoffs<S>();
-          v *= step_ulps(cutoffs[s.below(cutoffs.size())], s.between(-4, 4)) / n;
+          const int steps = s.between(-4, 4);
+          v *= step_ulps(cutoffs[s.below(cutoffs.size())], steps) / n;
           if (s.chance(1, 2)) v *= S(1) + step(s);
         } else {
           v[i] = -v[i];
