@@ -23,7 +23,7 @@ function(liecheck_add_subject NAME)
   target_include_directories(${target} PRIVATE ${LIECHECK_ADAPTER_INCLUDE_DIR})
   target_link_libraries(${target} PRIVATE ${a_LINK})
 
-  set(campaign ${LIECHECK_PROGRAM} campaign --adapter $<TARGET_FILE:${target}> --subject ${NAME} --cases ${a_CASES})
+  set(campaign ${LIECHECK_PROGRAM} campaign --adapter $<TARGET_FILE:${target}> --cases ${a_CASES})
   if(a_PROFILE)
     list(APPEND campaign --profile ${a_PROFILE})
   endif()

@@ -31,6 +31,7 @@ function y = answer(operation, x)
     case "rotate_point", r = of(x) * quaternion(x(5), x(6), x(7)) * conj(of(x)); y = [r.x, r.y, r.z];
     case "normalize", y = numbers(unit(of(x)));
   end
+  y(imag(y) != 0) = NaN;  % fwrite would leave the imaginary parts out
 end
 
 sizes = struct("exp3_quaternion", [3, 4], "log3_quaternion", [4, 3], "log3_matrix", [9, 3], ...
