@@ -181,7 +181,7 @@ std::string example_words(std::string words) {
   for (auto at = words.find("\\n"); at != words.npos; at = words.find("\\n")) words.replace(at, 2, " ");
   static const std::string counted = " is right: ", lost = " digits lost";
   if (words.find(counted) == words.npos || !words.ends_with(lost)) return words;
-  return words + ", of the whole result by its norm; the heading is of a worse input";
+  return words + ", of the whole result by its norm; the heading is of other inputs";
 }
 
 /// The article of a finding.
@@ -218,7 +218,6 @@ std::string findings_section(const Looks& looks) {
   std::vector<Told> all;
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings")) all.emplace_back(finding);
-  std::ranges::stable_partition(all, [](const Told& t) { return !t.text.is_refusal(); });
   std::set<std::pair<std::string, std::string>> seen;
   std::string out;
   for (const Told& told : all) {

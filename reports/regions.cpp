@@ -104,8 +104,12 @@ std::string hard_words(const std::vector<HardCase>& cases, const std::string& su
 std::string hard_counts(const std::vector<HardCase>& cases) {
   std::string all;
   for (std::size_t v = 0; v < hard_verdicts.size(); ++v)
-    if (const auto n = std::ranges::count(cases, v, &HardCase::verdict); n > 0)
+    if (const auto n = std::ranges::count(cases, v, &HardCase::verdict); n > 0) {
+      const auto failed =
+          std::ranges::count_if(cases, [&](const HardCase& c) { return c.verdict == v && c.failed; });
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", n, hard_verdicts[v]);
+      if (failed > 0 && failed < n) all += fmt::format(" ({} of them permitted or expected)", n - failed);
+    }
   return all;
 }
 

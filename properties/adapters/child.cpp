@@ -163,8 +163,11 @@ std::string Child::line(const std::string& due) {
     if (buffer_.size() > longest_line)
       fail(fmt::format("wrote {} where {} is due: a line has at most {} bytes", quoted(buffer_), due,
                        longest_line));
-    read_some(fmt::format("wrote {} in {:g} s where {} is due", buffer_.empty() ? "nothing" : quoted(buffer_),
-                          seconds(), due));
+    read_some(fmt::format(
+        "wrote {} in {:g} s where {} is due{}", buffer_.empty() ? "nothing" : quoted(buffer_), seconds(), due,
+        buffer_.empty() && due == "its description"
+            ? "; does it flush its output, and read a line without waiting for more than it?"
+            : ""));
   }
 }
 

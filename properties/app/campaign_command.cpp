@@ -267,6 +267,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
   if (many > 0 || !differences.empty()) say("\n");
   if (f.verbose) print_details(r, hard_cases, f);
   print_oracles(r, f.verbose);
+  if (many > 0) print_without_finding(r, told);
   print_measured(r, hard_cases);
   if (!f.verbose) say("--verbose shows each law, each row that fails, the coverage and the digests\n");
   print_how_to_accept(told, f.all);
@@ -329,7 +330,9 @@ void add_flags(CommandWith<CampaignFlags>& a, const std::string& typed_line) {
   a.toggle("--no-probe", a->no_probe, "judge an adapter even if its conventions differ from liecheck's");
   a->cases.add(a);
   a.toggle("--verbose", a->verbose, "show each law, each row that fails, the coverage and the digests, too");
-  a.toggle("--all", a->all, "print every finding, each failure in full, and shorten nothing");
+  a.toggle("--all", a->all,
+           "print every finding, the lines of a limits file that accept them and, with --verbose, each "
+           "failure in full");
   a.text("--rules", a->rules, "VERSION",
          "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
   a.output("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");

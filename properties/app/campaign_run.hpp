@@ -57,6 +57,8 @@ void print(const ToldFindings& findings);
 /// Prints the line of a limits file that expects the first failure, or those of all.
 void print_how_to_accept(const ToldFindings& findings, bool all);
 
+/// Prints the operations of the only subject that have no finding.
+void print_without_finding(const CampaignResult& result, const ToldFindings& told);
 /// Prints what was measured, in one line.
 void print_measured(const CampaignResult& result, const std::vector<HardRow>& hard_cases);
 

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <app/campaign_run.hpp>
+#include <campaign/expected.hpp>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
 #include <failures/findings.hpp>
+#include <failures/promises.hpp>
 #include <map>
 #include <set>
 #include <support/progress.hpp>
@@ -26,7 +28,9 @@ struct Line {
 };
 
 Line line_of(const FailedBlock& f, bool one_subject) {
-  return {fmt::format("{} {}", f.operation, f.block), where_of(f), what_of(f),
+  const std::string where = where_of(f);
+  return {fmt::format("{} {}", f.operation, f.block),
+          where == "everywhere" && f.failed < f.cases ? "at any angle" : where, what_of(f),
           fmt::format("{} of {} cases{}", f.failed, f.cases,
                       one_subject ? "" : fmt::format(" of {} in {}", f.subject, f.scalar)),
           guess_of(f)};
@@ -47,6 +51,28 @@ void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
                &l == &all.front() ? happened : coloured(Colour::red, happened), printable(l.seen));
     if (!l.guess.empty()) say("    perhaps {}\n", l.guess);
   }
+}
+
+/// The lines of a limits file that expect the failures of a block: all of its inputs, or intervals of the angle.
+std::vector<std::string> accepting(const FailedBlock& f) {
+  const auto& bands = f.worst->series->bands().all();
+  std::vector<bool> bad(bands.size());
+  for (const BandOf& b : f.bands)
+    if (fails(*b.series, {int(b.output), int(b.band)}, *b.row)) bad[b.band] = true;
+  std::vector<std::string> inputs;
+  for (std::size_t first = 0; first < bands.size(); ++first) {
+    if (!bad[first]) continue;
+    std::size_t last = first;
+    while (last + 1 < bands.size() && bad[last + 1] && bands[first].axis != Axis::none &&
+           bands[last + 1].axis == bands[first].axis)
+      ++last;
+    const auto more = inputs_of(bands, first, last);
+    inputs.insert(inputs.end(), more.begin(), more.end());
+    first = last;
+  }
+  if (bad[0]) inputs = {"any"};
+  for (std::string& text : inputs) text = fmt::format("{}, {}, {} = WHY, LINK", f.operation, f.block, text);
+  return inputs;
 }
 
 void print_in_full(const CampaignResult& r, const FailedBlock& f) {
@@ -86,18 +112,35 @@ void print_failures(const CampaignResult& r, bool all) {
 
 void print_how_to_accept(const ToldFindings& told, bool all) {
   std::vector<std::string> lines;
-  for (const Finding& finding : told.findings)
+  std::string by_finding;
+  for (const Finding& finding : told.findings) {
+    std::string of_finding;
     for (const auto* blocks : {&finding.own, &finding.others})
-      for (const FailedBlock* f : *blocks) {
-        const std::string line = fmt::format("{}, {}, any = WHY, LINK", f->operation, f->block);
-        if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
-      }
+      for (const FailedBlock* f : *blocks)
+        for (const std::string& line : accepting(*f))
+          if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line), of_finding += line + "\n";
+    if (!of_finding.empty())
+      by_finding += fmt::format("# finding {}, {}\n{}", &finding - told.findings.data() + 1,
+                                finding.operation, of_finding);
+  }
   if (lines.empty()) return;
   if (all)
-    say("lines of a limits file that accept these failures:\n[expected]\n{}\n", fmt::join(lines, "\n"));
+    say("lines of a limits file that accept these failures:\n[expected]\n{}", by_finding);
   else
     say("a limits file accepts a known failure by a line below [expected], such as: {}{}\n", lines.front(),
         lines.size() > 1 ? fmt::format("; --all prints all {}", lines.size()) : "");
+}
+
+void print_without_finding(const CampaignResult& r, const ToldFindings& told) {
+  std::set<std::string> subjects, passed;
+  for (const auto& [series, tally] : r.series) {
+    subjects.insert(series->subject);
+    for (const auto& [cell, row] : tally.rows)
+      if (row.inside() > 0) passed.emplace(series->outputs.at(std::size_t(cell.first)).operation);
+  }
+  for (const Finding& f : told.findings) passed.erase(f.operation);
+  for (const FailedBlock& f : told.failed) passed.erase(f.operation);
+  if (subjects.size() == 1 && !passed.empty()) say("without a finding: {}\n", fmt::join(passed, ", "));
 }
 
 void print_measured(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {

@@ -121,7 +121,7 @@ void print_failures_by_block(const std::vector<HardRow>& rows) {
   std::set<std::string> subjects;
   for (const Group& g : all)
     subjects.insert(g.worst->flags.empty() ? " --subject " + g.worst->subject : g.worst->flags);
-  say("\nliecheck hard-cases{} prints each in full\n", fmt::join(subjects, ""));
+  say("\n{} prints each in full\n", as_typed(fmt::format("hard-cases{}", fmt::join(subjects, ""))));
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.

@@ -128,7 +128,9 @@ std::vector<std::string> not_measured(const Series& series, const Tally& tally) 
     std::uint64_t unresolved = 0, unmeasured = 0;
     for (const auto& [cell, row] : tally.rows)
       if (cell.first == static_cast<int>(i)) unresolved += row.unresolved, unmeasured += row.unmeasured;
-    if (unmeasured) all.push_back(fmt::format("{}: not recorded in {} cases", name_of(o), unmeasured));
+    if (unmeasured)
+      all.push_back(fmt::format("{}: not reached in {} cases, in which an operation before it gave no result",
+                                name_of(o), unmeasured));
     if (unresolved) all.push_back(fmt::format("{}: {} unresolved", name_of(o), unresolved));
     const std::uint64_t outside = tally.coverage.cases(&MeasuredOutputs::outside, i),
                         n = tally.cases - outside,
@@ -136,9 +138,17 @@ std::vector<std::string> not_measured(const Series& series, const Tally& tally) 
     const bool few = n / measured_one_in >= expected_at_least && measured < n / measured_one_in;
     // So few cases of a long campaign are no verdict, whatever excludes the others.
     const bool too_few = tally.cases / measured_one_in >= expected_at_least && measured < expected_at_least;
+    // The user says that the operation refuses every input, as it may.
+    if (n == 0 && series.expected(i, 0)) return;
     if (measured == 0 || few || too_few)
-      all.push_back(fmt::format("{}: measured in {} of {} cases{}", name_of(o), measured, n,
-                                outside ? fmt::format(", {} more are outside the domain", outside) : ""));
+      all.push_back(fmt::format(
+          "{}: measured in {} of {} cases{}{}", name_of(o), measured, n,
+          outside ? fmt::format(", {} more are outside the domain", outside) : "",
+          n == 0
+              ? fmt::format("; if that is meant, a limits file says so below [expected]: {}, {}, any = WHY, "
+                            "LINK",
+                            o.operation, o.block)
+              : ""));
   });
   for (const Covered& c : coverage_of(series, tally))
     if (c.missing())

@@ -306,10 +306,37 @@ std::vector<double> Series::parsed(const CaseId& address) const {
   return x;
 }
 
+namespace {
+
+/// What the numbers of a field must be, beside finite.
+const char* demand_on(Kind kind) {
+  switch (kind) {
+    case Kind::quaternion:
+    case Kind::direction:
+      return " of length 1";
+    case Kind::any_quaternion:
+      return " that are not all 0";
+    case Kind::rotation_matrix:
+      return " of a rotation matrix";
+    case Kind::near_rotation:
+      return " of a matrix A with |A^T A - I| <= 0.4 and det A > 0";
+    case Kind::fraction:
+      return " in [0, 1]";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
 void Series::check_valid(const std::vector<double>& x, const CaseId& address) const {
-  if (!law_->valid(x))
-    throw std::invalid_argument(fmt::format("case ID: not a valid input of property {}: {}", property,
-                                            fmt::join(address.input, ",")));
+  if (law_->valid(x)) return;
+  std::vector<std::string> taken;
+  for (const Field& f : fields)
+    taken.push_back(
+        fmt::format("{}: {} number{}{}", f.name, f.size, f.size == 1 ? "" : "s", demand_on(f.kind)));
+  throw std::invalid_argument(fmt::format("case ID: not a valid input of property {}: {}; it takes {}",
+                                          property, fmt::join(address.input, ","), fmt::join(taken, ", ")));
 }
 
 namespace {

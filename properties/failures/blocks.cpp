@@ -148,6 +148,9 @@ void find_worst(FailedBlock& f) {
     f.failed += b.row->failed, f.cases += b.row->inside();
   }
   if (!f.worst) return;
+  const bool of_cases = std::ranges::none_of(f.bands, [](const BandOf& b) { return b.fails && b.band > 0; });
+  if (of_cases)  // which pass in their bands
+    for (const BandOf& b : f.bands) f.cases += b.fails ? 0 : b.row->inside();
   // The plainest of those that are as bad is its example, unless few cases fail there, as where the result of another case
   // was found to change.
   const BandOf& worst = *f.worst;
@@ -185,8 +188,9 @@ std::string what_of(const FailedBlock& f) {
   if (std::string outcome = worst_outcome(*f.worst->row); !outcome.empty()) return outcome;
   std::string lost = digits_lost(f.score, f.worst->series->eps);
   if (lost.empty()) lost = fmt::format("{:.3g} eps", f.score);
-  if (const Row& row = *f.worst->row; row.not_finite > 0)
-    lost += fmt::format(", {} in {} of {} failures", not_finite, row.not_finite, row.failed);
+  std::uint64_t none = 0;
+  for (const BandOf& b : f.bands) none += b.fails ? b.row->not_finite : 0;
+  if (none > 0) lost += fmt::format(", {} in {} of {} failures", not_finite, none, f.failed);
   return lost;
 }
 
@@ -194,11 +198,11 @@ bool fails_otherwise(const FailedBlock& f, const BandOf& b) {
   return b.fails && worst_outcome(*b.row) != worst_outcome(*f.worst->row);
 }
 
-std::string where_of(const FailedBlock& f, bool otherwise) {
+std::string where_of(const FailedBlock& f) {
   const Bands& bands = f.worst->series->bands();
   std::map<std::size_t, bool> fails;  // by band: fails in one of the laws
   for (const BandOf& b : f.bands)
-    if (b.band > 0) fails[b.band] = fails[b.band] || (otherwise ? fails_otherwise(f, b) : b.fails);
+    if (b.band > 0) fails[b.band] = fails[b.band] || b.fails;
   const auto count = std::ranges::count_if(fails, [](const auto& b) { return b.second; });
   if (count == 0 || count == std::ssize(fails)) return "everywhere";
   // A band of few cases that passes between two that fail is no border of the region.

@@ -55,9 +55,8 @@ std::string what_of(const FailedBlock& failed);
 /// Whether a band fails in another way than the worst one: with another outcome, or with an error where that has none.
 bool fails_otherwise(const FailedBlock& failed, const BandOf& band);
 
-/// Where: "theta 1e-9 to 1e-7, pi - theta < 1e-6", or "everywhere". `otherwise`: of the bands that
-/// fail otherwise.
-std::string where_of(const FailedBlock& failed, bool otherwise = false);
+/// Where: "theta 1e-9 to 1e-7, pi - theta < 1e-6", or "everywhere".
+std::string where_of(const FailedBlock& failed);
 
 /// Where, and how many cases fail there: by bands of the angle if most cases in them fail, else by a condition on one
 /// or two other features of the call, if one separates the cases that fail from those that pass.

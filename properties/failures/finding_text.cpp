@@ -8,6 +8,7 @@
 #include <failures/findings.hpp>
 #include <failures/program.hpp>
 #include <failures/result.hpp>
+#include <failures/second_ways.hpp>
 #include <failures/tree_substitutions.hpp>
 #include <failures/two_results.hpp>
 #include <search/plain.hpp>
@@ -24,7 +25,7 @@ void add_once(std::vector<std::string>& to, const std::string& text) {
 
 /// The failing bands of a block: those of ordinary angles first, of these the ones that lose half of the digits that the
 /// worst band loses, and of these the one in which most cases fail.
-std::vector<BandOfFailure> bands_of(const FailedBlock& f, const BandOf& worst, bool otherwise = false) {
+std::vector<BandOfFailure> bands_of(const FailedBlock& f, const BandOf& worst) {
   std::vector<std::pair<double, BandOfFailure>> all;
   const auto loss = [&](const BandOf& b) {  // 1 is all digits
     const double eps = f.worst->series->eps;
@@ -35,7 +36,6 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f, const BandOf& worst, b
     if (b.fails) most = std::max(most, loss(b));
   for (const BandOf& b : f.bands) {
     if (!b.fails || b.series != worst.series || b.output != worst.output) continue;
-    if (otherwise && !fails_otherwise(f, b)) continue;
     const double share = static_cast<double>(b.row->failed) / static_cast<double>(b.row->inside());
     const bool ordinary = is_ordinary(b.series->bands()[b.band]);
     const double score = worst_outcome(*b.row).empty() ? score_of(b) : b.row->worst_score;
@@ -47,13 +47,14 @@ std::vector<BandOfFailure> bands_of(const FailedBlock& f, const BandOf& worst, b
   return bands;
 }
 
-/// ": 7.6 of 15.7 digits lost", if an example loses fewer digits than the worst case, by one at least.
-std::string less_than_the_worst(const FailedBlock& f, const Shrunk& example) {
+/// ": 7.6 of 15.7 digits lost", if an example loses fewer digits than the headline says, or more, by one at least.
+std::string other_than_the_worst(const FailedBlock& f, const Shrunk& example) {
   const Series& series = *f.worst->series;
   if (example.judged.residual.outcome != Outcome::measured) return "";
   const double all = 1 / series.eps, score = std::min(score_of(series, example.judged), all);
   const std::string lost = digits_lost(score, series.eps);
-  return lost.empty() || 10 * score > std::min(f.score, all) ? "" : ": " + lost;
+  const double told = std::min(f.score, all);
+  return lost.empty() || (10 * score > told && score < 10 * told) ? "" : ": " + lost;
 }
 
 /// The call that shows a failure, what is wrong with its result, and how to repeat it. `alone`: the result fails in no other
@@ -81,7 +82,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign, boo
   else if (const std::string number =
                f.block == "sign" || !s->reproduced ? "" : worst_number_text(series, of, all);
            !number.empty())
-    text += fmt::format("            {}{}\n", number, alone ? less_than_the_worst(f, *s) : "");
+    text += fmt::format("            {}{}\n", number, alone ? other_than_the_worst(f, *s) : "");
   else if (call && !call->thrown.empty())
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
@@ -89,38 +90,6 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign, boo
   return text + fmt::format("   replay   {}\n", replay_words(shown, replay_flags(series, campaign.robot)));
 } catch (const GivenUp&) {
   return "   interrupted: this case is not measured again\n";
-}
-
-/// A second way in which the block fails, in other bands than the worst, with its example: a line, or "" if there is none.
-std::string also_of(const FailedBlock& f, const CampaignResult& campaign) try {
-  const BandOf* other = nullptr;
-  const auto rank = [](const BandOf& b) {
-    return std::pair(is_ordinary(b.series->bands()[b.band]), b.row->failed);
-  };
-  double score = 0;
-  for (const BandOf& b : f.bands) {
-    if (b.band == 0 || !fails_otherwise(f, b)) continue;
-    score = std::max(score, score_of(b));
-    if (!other || rank(b) > rank(*other)) other = &b;
-  }
-  if (!other || f.worst->band == 0 || f.block == "sign") return "";
-  const Series& series = *other->series;
-  const auto output = static_cast<int>(other->output);
-  const std::string outcome = worst_outcome(*other->row);
-  const CaseId worst = series.id(campaign.options.seed, other->row->worst_index);
-  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f, *other, true));
-  if (!s) s = shrink(series, worst, output, 500);
-  if (!s->reproduced) return "";
-  const NotedCase all = noted(series, s->id, other->output);
-  const Output& of = series.outputs.at(other->output);
-  const NotedCall* const call = worst_call(of, all);
-  const std::string called = call ? called_with(series, *call) : "",
-                    number = worst_number_text(series, of, all);
-  const std::string what = outcome.empty() ? digits_lost(score, series.eps) : outcome;
-  if (called.empty() || number.empty() || what.empty()) return "";
-  return fmt::format("   also     {}, {}: {}\n            {}\n", what, where_of(f, true), called, number);
-} catch (const GivenUp&) {
-  return "";
 }
 
 /// The line of [domain] that leaves the failures out, if every failing band is of angles above 10, or of angles below 1e-100;
@@ -178,13 +147,15 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     if (f->operation == finding.operation) add_once(blocks, f->block);
   for (const FailedBlock* f : finding.others)
     if (f->operation != finding.operation) add_once(others, f->operation);
+  for (const std::string& operation : finding.partly)
+    if (operation != finding.operation) add_once(others, operation);
   std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "),
                                  how_bad(finding.own));
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
                       finding.ordinary > 0 ? "" : "; all angles from 1e-8 to pi - 1e-8 pass");
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
-                        finding.operation, domain);
+                        others.empty() ? finding.operation : "*", domain);
   // That of the first block whose errors tell one. A jump tells least, since few angles are tried.
   std::string guess;
   for (const bool of_jumps : {false, true})
@@ -196,17 +167,19 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");
   if (guess.empty()) guess = needed_term_of(*first.worst->series, first.worst->output);
-  if (worst_outcome(*first.worst->row) == "refused")
+  if (std::ranges::all_of(first.bands,
+                          [](const BandOf& b) { return !b.fails || worst_outcome(*b.row) == "refused"; }))
     guess.clear();  // no number is wrong that a guess could explain
   if (!guess.empty()) text += fmt::format("   perhaps  {}\n", guess);
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
                         others.size() == 1 ? "fails" : "fail");
-  text += example_of(first, campaign, blocks.size() == 1) + also_of(first, campaign);
+  text += example_of(first, campaign, blocks.size() == 1) + second_ways(finding, campaign);
   if (!finding.hard_rows.empty())
-    text += fmt::format("   hard     {} hard case{} of the same cause: {}{}\n", finding.hard_rows.size(),
-                        finding.hard_rows.size() == 1 ? "" : "s", finding.hard_rows.front()->entry->name,
-                        finding.hard_rows.size() > 1 ? ", ..." : "");
+    text += fmt::format("   hard     {} hard case{} of these operations {}: {}{}\n", finding.hard_rows.size(),
+                        finding.hard_rows.size() == 1 ? "" : "s",
+                        finding.hard_rows.size() == 1 ? "fails" : "fail",
+                        finding.hard_rows.front()->entry->name, finding.hard_rows.size() > 1 ? ", ..." : "");
   return text;
 }
 

@@ -20,6 +20,9 @@ namespace {
 struct Group {
   std::vector<FailedBlock*> blocks;  ///< by scalar
   std::optional<std::size_t> cause;  ///< another group
+  std::set<std::size_t> of_bands;    ///< groups of the operations that explain some of its bands
+  std::vector<std::pair<const FailedBlock*, std::set<std::size_t>>>
+      beside;  ///< bands in which its cause passes
 };
 using BlockKey = std::tuple<std::string, std::string, std::string>;  ///< subject, operation, block
 
@@ -111,7 +114,7 @@ bool follows_within(const std::string& block) {
 
 /// Whether a block says how a result is wrong of which another block judges the value.
 bool is_symptom(const std::string& block) {
-  return block == "jump" || block.ends_with("defect");
+  return block == "jump" || block == "twist" || block.ends_with("defect");
 }
 
 /// Whether both fail in a band, or in adjacent ones, in the same scalar.
@@ -169,7 +172,8 @@ class Groups {
       groups_[at].blocks.push_back(&f);
       wrong_[f.subject].insert(f.operation);
     }
-    find_causes(), join_trees(), join_symptoms(), leave_bands_to_their_causes(), join_blocks();
+    find_causes(), find_bands_beside_causes(), join_trees(), join_symptoms(), leave_bands_to_their_causes(),
+        join_blocks();
   }
 
   /// The findings by the group that causes them.
@@ -180,15 +184,20 @@ class Groups {
       std::size_t first = root(i);
       const FailedBlock& f = *groups_[first].blocks.front();
       const bool together = is_tree_law(f.worst->series->property) || !worst_outcome(*f.worst->row).empty();
-      for (std::size_t k = 0; together && k < first; ++k)
-        if (of_one_operation(k, first)) first = root(k);
+      for (std::size_t k = 0; together && k < first; ++k)  // but for those that follow from another operation
+        if (of_one_operation(k, first) && of_one_operation(root(k), first)) first = root(k);
       Finding& finding = all[first];
       finding.subject = std::get<0>(keys_[first]), finding.operation = std::get<1>(keys_[first]);
       auto& list = of_one_operation(first, i) ? finding.own : finding.others;
       list.insert(i == first ? list.begin() : list.end(), groups_[i].blocks.begin(), groups_[i].blocks.end());
+      finding.beside.insert(finding.beside.end(), groups_[i].beside.begin(), groups_[i].beside.end());
       for (const FailedBlock* block : groups_[i].blocks)
         finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
     }
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      for (const std::size_t of_bands : groups_[i].of_bands)
+        if (const std::size_t by = root(of_bands); by != root(i) && all.contains(by))
+          all[by].partly.push_back(std::get<1>(keys_[i]));
     // Of two scalars with errors, the reader's is the wider one, if it loses two digits.
     for (auto& [first, finding] : all)
       std::ranges::stable_sort(finding.own, std::greater(), [&](const FailedBlock* f) {
@@ -217,6 +226,26 @@ class Groups {
           const std::size_t rank = 2 * votes + (follows_within(other_block) == follows_within(block));
           if (rank > most) most = rank, groups_[i].cause = k;
         }
+    }
+  }
+  /// Of a group with a cause, the bands in which it loses four digits, the cause passes, and no wrong operation explains it.
+  void find_bands_beside_causes() {
+    for (Group& g : groups_) {
+      if (!g.cause) continue;
+      std::set<std::pair<std::string, std::size_t>> of_cause;  // scalar, band
+      for (std::size_t k = 0; k < groups_.size(); ++k)
+        for (const FailedBlock* f : groups_[k].blocks)
+          for (const BandOf& b : f->bands)
+            if (of_one_operation(k, *g.cause) && b.row->failed > 0) of_cause.emplace(f->scalar, b.band);
+      for (const FailedBlock* f : g.blocks) {
+        std::set<std::size_t> beside;
+        for (const BandOf& b : f->bands)
+          if (b.fails && b.band > 0 && !of_cause.contains({f->scalar, b.band}) && b.row->worst_score > 1e4 &&
+              !stop_requested)
+            if (const auto parts = causes_in(b, seed_, wrong_[f->subject]); parts && parts->empty())
+              beside.insert(b.band);
+        if (!beside.empty()) g.beside.emplace_back(f, beside);
+      }
     }
   }
   /// What fails on the same trees as a simpler operation, or is formed from one, has its cause.
@@ -276,6 +305,9 @@ class Groups {
             f->bands[i].fails = false;
             if (is_ordinary(f->bands[i].series->bands()[f->bands[i].band])) other = by;
           }
+          for (std::size_t k = 0; k < groups_.size(); ++k)
+            if (std::get<0>(keys_[k]) == f->subject && std::get<1>(keys_[k]) == by)
+              groups_[i].of_bands.insert(k);
         }
         if (!other.empty() && std::ranges::none_of(f->bands, fails_ordinarily)) {
           f->bands = before;

@@ -3,6 +3,7 @@
 
 #include <failures/blocks.hpp>
 #include <hard_cases/hard_cases.hpp>
+#include <set>
 
 namespace liecheck::properties {
 
@@ -11,7 +12,10 @@ struct Finding {
   std::string subject, operation;
   std::vector<const FailedBlock*>
       own;  ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
-  std::vector<const FailedBlock*> others;   ///< of operations that fail in the same way
+  std::vector<const FailedBlock*> others;  ///< of operations that fail in the same way
+  std::vector<std::string> partly;         ///< operations of which it explains some bands, not all
+  /// Bands of blocks of `others` in which it passes and explains nothing.
+  std::vector<std::pair<const FailedBlock*, std::set<std::size_t>>> beside;
   std::vector<const HardRow*> hard_rows;    ///< hard cases that fail in one of these blocks
   std::vector<const HardCell*> hard_cells;  ///< of `hard_rows`, one each
   std::vector<std::string> used;            ///< spatial operations that fail and that it may use

@@ -65,6 +65,8 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
+  if (operation_of(f).starts_with("axis_angle") && zero && largest > 0)
+    return fmt::format("0/0 for theta < {}: the vector part has length 0", power_of_ten(largest));
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
   if (operation_of(f) == "log3_matrix" && largest < 0 && !beyond && other)

@@ -148,6 +148,15 @@ std::vector<NumberPair> pairs_of_pose(const Output& output, const NotedCall& cal
 
 }  // namespace
 
+bool is_in_block(const Output& output, std::size_t size, std::size_t i) {
+  if ((size != 36 && size != 81) || output.operation.starts_with("robot_") ||
+      (output.block != "coupling" && output.block != "jacobian"))
+    return true;
+  const bool upper = size == 81 ? i / 9 < 6 && i % 9 >= 6 : i / 6 < 3 && i % 6 >= 3,
+             coupling = output.operation == "coadjoint" ? i / 6 >= 3 && i % 6 < 3 : upper;
+  return coupling == (output.block == "coupling");
+}
+
 std::vector<NumberPair> pairs_of(const Output& output, const NotedCase& noted, const NotedCall& call,
                                  const std::vector<Real>& one_side) {
   const bool finite = std::ranges::all_of(call.result, [](double x) { return std::isfinite(x); });
@@ -173,10 +182,9 @@ std::vector<NumberPair> pairs_of(const Output& output, const NotedCase& noted, c
         all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
         (size == 4 && part.unit == "1" && call.operation->name != "normalize") || turned);
   }
-  if (call.operation == output.record && output.block == "coupling")
-    std::erase_if(all, [i = std::size_t(0)](const NumberPair&) mutable {
-      const std::size_t at = i++;
-      return at / 6 >= 3 || at % 6 < 3;
+  if (call.operation == output.record)
+    std::erase_if(all, [&, i = std::size_t(0), size = all.size()](const NumberPair&) mutable {
+      return !is_in_block(output, size, i++);
     });
   return all;
 }

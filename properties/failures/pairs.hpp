@@ -16,9 +16,12 @@ struct NumberPair {
   double apart = 0;  ///< relative to the norm of its part; infinite if the number is not finite
 };
 
-/// Whether a block concerns a part of a result: it has its unit. The coupling block of a 6 x 6 Jacobian is its upper
-/// right quarter.
+/// Whether a block concerns a part of a result: it has its unit.
 bool is_judged(const Output& output, const Layout& layout, const Part& part);
+/// Whether a block concerns number i of a result of so many. Of a 6 x 6 or 9 x 9 matrix, the coupling block is the upper right
+/// one, of a coadjoint the lower left one, of an extended pose the upper two of the last three columns; the block of a
+/// Jacobian has all other numbers.
+bool is_in_block(const Output& output, std::size_t size, std::size_t i);
 
 /// The numbers of a call's result that an output judges, or all if the call is of another operation.
 /// Of a subject that returns poses as (p, Q), the R of a pose is the Q that it returned, but for its sign and last bit.

@@ -29,7 +29,14 @@ std::pair<std::string, std::string> ends_of(const Band& b) {
   return {b.name.substr(space + 1, dots - space - 1), b.name.substr(dots + 2)};
 }
 
-/// The bands first..last of one axis as inputs of a limits file: an interval, and the names of those that have none.
+std::string text_of(const DomainBound& b) {
+  return fmt::format("{}, {} {} {:.17g}{}{}\n", b.operation ? b.operation->name : "*",
+                     quantity_names()[static_cast<std::size_t>(b.quantity)], b.lower ? ">=" : "=", b.bound,
+                     b.reason.empty() ? "" : ", ", b.reason);
+}
+
+}  // namespace
+
 std::vector<std::string> inputs_of(const std::vector<Band>& bands, std::size_t first, std::size_t last) {
   std::vector<std::string> all;
   const bool theta = bands[first].axis == Axis::theta;
@@ -46,14 +53,6 @@ std::vector<std::string> inputs_of(const std::vector<Band>& bands, std::size_t f
   if (!low.empty()) all.push_back(fmt::format("{}theta {}..{}", theta ? "" : "pi-", low, high));
   return all;
 }
-
-std::string text_of(const DomainBound& b) {
-  return fmt::format("{}, {} {} {:.17g}{}{}\n", b.operation ? b.operation->name : "*",
-                     quantity_names()[static_cast<std::size_t>(b.quantity)], b.lower ? ">=" : "=", b.bound,
-                     b.reason.empty() ? "" : ", ", b.reason);
-}
-
-}  // namespace
 
 Promises::Promises(const CampaignResult& campaign) : campaign_(campaign) {
   for (const auto& [series, tally] : campaign.series)

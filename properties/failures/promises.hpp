@@ -15,6 +15,9 @@
 
 namespace liecheck::properties {
 
+/// The bands first..last of one axis as inputs of a limits file: an interval, and the names of those that have none.
+std::vector<std::string> inputs_of(const std::vector<Band>& bands, std::size_t first, std::size_t last);
+
 class Promises {
  public:
   /// A limit is `allowance` times the largest error. `campaign` must outlive this object.

@@ -1,98 +1,20 @@
 #include <failures/relations.hpp>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
+#include <failures/relation_numbers.hpp>
 #include <limits>
 
 namespace liecheck::properties {
 
 namespace {
 
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-using Quat = Eigen::Quaterniond;
-
-Vec3 vec3(const Numbers& x, std::size_t from) {
-  return Vec3(x.at(from), x.at(from + 1), x.at(from + 2));
-}
-Mat3 mat3(const Numbers& x, std::size_t from = 0) {
-  Mat3 m;
-  for (Eigen::Index i = 0; i < 9; ++i) m(i / 3, i % 3) = x.at(from + static_cast<std::size_t>(i));
-  return m;
-}
-Mat6 mat6(const Numbers& x) {
-  Mat6 m;
-  for (Eigen::Index i = 0; i < 36; ++i) m(i / 6, i % 6) = x.at(static_cast<std::size_t>(i));
-  return m;
-}
-/// Of the numbers x, y, z, w; of unit norm but for rounding.
-Quat quat(const Numbers& x, std::size_t from = 0) {
-  return Quat(x.at(from + 3), x.at(from), x.at(from + 1), x.at(from + 2)).normalized();
-}
-Numbers joined(std::initializer_list<Numbers> parts) {
-  Numbers all;
-  for (const Numbers& p : parts) all.insert(all.end(), p.begin(), p.end());
-  return all;
-}
-Numbers numbers(const Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-Numbers numbers(const Quat& q) {
-  return {q.x(), q.y(), q.z(), q.w()};
-}
-template <int N>
-Numbers numbers(const Eigen::Matrix<double, N, N, Eigen::RowMajor>& m) {
-  return Numbers(m.data(), m.data() + m.size());
-}
-Numbers cut(const Numbers& x, std::size_t from, std::size_t size) {
-  return Numbers(x.begin() + static_cast<std::ptrdiff_t>(from),
-                 x.begin() + static_cast<std::ptrdiff_t>(from + size));
-}
-Numbers minus(Numbers x) {
-  for (double& number : x) number = -number;
-  return x;
-}
-Quat quat_of(const Mat3& R) {
-  return Quat(Eigen::Matrix3d(R)).normalized();
-}
-Mat6 adjoint(const Mat3& R, const Vec3& p) {
-  Mat3 cross;
-  cross << 0, -p[2], p[1], p[2], 0, -p[0], -p[1], p[0], 0;
-  Mat6 Ad = Mat6::Zero();
-  Ad.topLeftCorner<3, 3>() = Ad.bottomRightCorner<3, 3>() = R;
-  Ad.topRightCorner<3, 3>() = cross * R;
-  return Ad;
-}
-/// The 6 x 6 Jacobian of the diagonal block J, with the given coupling block.
-Numbers jacobian6(const Mat3& J, const Mat3& coupling) {
-  Mat6 all = Mat6::Zero();
-  all.topLeftCorner<3, 3>() = all.bottomRightCorner<3, 3>() = J;
-  all.topRightCorner<3, 3>() = coupling;
-  return numbers<6>(all);
-}
-Mat3 coupling_of(const Numbers& J6) {
-  return mat6(J6).topRightCorner<3, 3>();
-}
-
 /// Of a rotation vector that is not predicted, but taken from the result.
 const Numbers unknown(3, std::numeric_limits<double>::quiet_NaN());
 
-Numbers relative_quaternion(const Numbers& x, std::size_t first, std::size_t second) {
-  const Quat a(x[first + 3], x[first], x[first + 1], x[first + 2]),
-      b(x[second + 3], x[second], x[second + 1], x[second + 2]);
-  return numbers(a.conjugate() * b);
-}
-Numbers rho_of(const Mat3& J_inverse, const Vec3& p) {
-  return numbers(Vec3(J_inverse * p));
-}
-Numbers with_rho(const Numbers& phi, const Vec3& p) {
-  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
-}
 /// exp6 of the rotation R and phi, with the exact translation.
 Numbers exp_of(const Mat3& R, const Numbers& x) {
   return joined({numbers<3>(R), numbers(Vec3(mat3(exact("left_jacobian3", cut(x, 3, 3))) * vec3(x, 0)))});
@@ -152,6 +74,10 @@ const Relation all_relations[] = {
      [](const CallOf& c) -> Numbers { return with_rho(c.part(cut(c.x, 0, 9)), vec3(c.x, 9)); }},
     {"log6", "log3_quaternion",
      [](const CallOf& c) -> Numbers { return with_rho(c.part(numbers(quat_of(mat3(c.x)))), vec3(c.x, 9)); }},
+    {"log6", "log3_quaternion",  // of a pose that has the other quaternion
+     [](const CallOf& c) -> Numbers {
+       return with_rho(c.part(minus(numbers(quat_of(mat3(c.x))))), vec3(c.x, 9));
+     }},
     {"log6", "left_jacobian3_inverse",
      [](const CallOf& c) -> Numbers {
        return joined({rho_of(mat3(c.part(cut(c.got, 3, 3))), vec3(c.x, 9)), unknown});
@@ -299,7 +225,13 @@ Numbers relative_pose(const Numbers& x) {
 }
 
 std::span<const Relation> relations() {
-  return all_relations;
+  static const std::vector<Relation> all = [] {
+    std::vector<Relation> both(std::begin(all_relations), std::end(all_relations));
+    const auto derived = derived_relations();
+    both.insert(both.end(), derived.begin(), derived.end());
+    return both;
+  }();
+  return all;
 }
 
 }  // namespace liecheck::properties

@@ -21,8 +21,7 @@ struct Point {
   bool opposite = false;  ///< whether it differs by twice its size, as the opposite result does
   bool still = false;     ///< whether it differs by theta, or pi - theta, as that of theta = 0, or pi, does
   std::uint64_t cases = 0, failed = 0;
-  /// Whether the band tells of a formula, which fails for many inputs of a band.
-  bool many_fail() const { return 4 * failed > cases; }
+  bool many_fail() const { return 4 * failed > cases; }  ///< as a formula does, for many inputs of a band
 };
 
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
@@ -33,8 +32,8 @@ bool is_rotation_vector(const FailedBlock& f) {
 }
 /// Whether formulas for the result have series in theta.
 bool has_series(const FailedBlock& f) {
-  return operation_of(f) != "relative_angle" && operation_of(f) != "rotation_between" &&
-         operation_of(f) != "slerp";
+  constexpr std::string_view without[] = {"relative_angle", "angle_between", "rotation_between", "slerp"};
+  return std::ranges::find(without, operation_of(f)) == std::end(without);
 }
 /// Whether nothing in the formula of a quaternion is singular near pi.
 bool returns_quaternion(const FailedBlock& f) {
@@ -102,13 +101,19 @@ class Shape {
     const auto last = std::find_if(points_.rbegin(), points_.rend(), [](const Point& q) { return q.lost; });
     return static_cast<std::size_t>(points_.rend() - last);
   }
-  /// The slope of y over x where the error is not within its limit, in the bands above those that have lost all digits;
-  /// 0 in fewer than three bands.
-  double slope() const {
+  /// The slope of y over x where the error is above its limit, from a band on; 0 in fewer than three bands.
+  double slope_from(std::size_t first) const {
     double n = 0, x = 0, sum = 0, xx = 0, xy = 0;
-    for (const Point& q : std::span(points_).subspan(lost_bands()))
+    for (const Point& q : std::span(points_).subspan(first))
       if (q.y > 0.5) ++n, x += q.x, sum += q.y, xx += q.x * q.x, xy += q.x * q.y;
     return n < 3 ? 0 : (n * xy - x * sum) / (n * xx - x * x);
+  }
+  double slope() const { return slope_from(lost_bands()); }  ///< above those that have lost all digits
+  /// Whether an angle has lost all digits below the root of eps, in some bands by chance, and errs by 1 / theta^2 above it.
+  bool is_acos_of_angle() const {
+    std::size_t below = 0, lost = 0;
+    while (below < size() && p(below).high < 2 * root_) lost += p(below++).lost;
+    return has_angle(f_) && lost > 1 && slope_from(below) < -1.2 && slope_from(below) > -2.8;
   }
   /// Where failures begin or end, between a band that fails and the next one. Near pi its angle is pi - theta.
   std::optional<Crossing> crossing(const Point& failing, const Point& passing) const {
@@ -134,7 +139,6 @@ class Shape {
   /// The band from which the errors start at once, and then fall over bands, if there is one: there a closed form begins.
   std::optional<std::size_t> sharp_start() const {
     for (std::size_t i = 1; i + 1 < size(); ++i) {
-      // A few fail below a cutoff that is the edge of a band.
       const bool first = y(i - 1) > 0 ? !p(i - 1).many_fail() : raw(i) - raw(i - 1) > jump;
       if (!first || !p(i).many_fail()) continue;
       std::size_t last = i;
@@ -168,15 +172,16 @@ class Shape {
   /// Whether the error grows as theta up to the root of eps and falls above, as that of 1 - cos does, which is 0 below.
   bool is_of_cosine() const {
     return peak_ >= 4 && near_root(std::pow(10, p(peak_).x)) && y(peak_ + 2) > 0 && y(peak_ + 2) < y(peak_) &&
-           std::fabs(y(peak_) - y(peak_ - 1)) < jump && (grows_up_to(peak_ - 1) || grows_up_to(peak_));
+           raw(peak_) - raw(peak_ + 1) < 2 && std::fabs(y(peak_) - y(peak_ - 1)) < jump &&
+           (grows_up_to(peak_ - 1) || grows_up_to(peak_));
   }
-  /// Whether the errors are those of 1 - w^2 in place of |v|^2: w^2 is exact up to its last digit's square, so they grow as theta^2
-  /// up to the fourth root of eps, and fall as 1 / theta^2 above it: by two powers of ten a band, of which random inputs of a
-  /// band may show one less or one more.
+  /// Whether the errors are those of 1 - w^2 in place of |v|^2: they grow as theta^2 up to the fourth root of eps, and fall as
+  /// 1 / theta^2 above it, by two powers of ten a band, of which random inputs may show one less or one more.
   bool is_of_w_squared() const {
-    return operation_of(f_) == "log3_quaternion" && peak_ >= 2 && peak_ + 2 < size() &&
-           std::fabs(p(peak_).x - std::log10(root_) / 2) < 1.1 && y(peak_ - 1) > 0 && y(peak_ + 1) > 0 &&
-           raw(peak_) - raw(peak_ - 2) > 1.2 && raw(peak_) - raw(peak_ + 2) > 1.2 &&
+    return (operation_of(f_) == "log3_quaternion" || operation_of(f_) == "axis_angle_from_quaternion") &&
+           peak_ >= 2 && peak_ + 2 < size() && std::fabs(p(peak_).x - std::log10(root_) / 2) < 1.1 &&
+           y(peak_ - 1) > 0 && y(peak_ + 1) > 0 && raw(peak_) - raw(peak_ - 2) > 1.2 &&
+           raw(peak_) - raw(peak_ + 2) > 1.2 &&
            std::max(raw(peak_) - raw(peak_ - 1), raw(peak_) - raw(peak_ + 1)) < 2.7;
   }
   /// Whether the largest errors below the root of eps are those of the root of eps, and fall above it.
@@ -208,8 +213,7 @@ class Shape {
 
   /// Of errors in one band alone: on the side of a cutoff they begin at once, on the other they come from below the limit.
   std::string of_one_band() const {
-    // The last band is followed by moderate angles.
-    const bool last_goes_on = peak_ + 1 == size() && !moderate_angles_pass(f_);
+    const bool last_goes_on = peak_ + 1 == size() && !moderate_angles_pass(f_);  // to these
     if (peak_ == 0 || y(peak_ - 1) > 0 || y(peak_ + 1) > 0 || last_goes_on || !p(peak_).many_fail())
       return "";
     const auto below = crossing(p(peak_), p(peak_ - 1));
@@ -242,9 +246,8 @@ std::string Shape::at_small_angles() const {
              ends_above = to_one || (peak_ + 1 < size() && falls(peak_ + 1));
   const double power = slope();
   // Below the root of eps the cosine is 1, and its acos is 0. The angle between two quaternions errs by chance there.
-  const std::size_t lost = lost_bands();
   if (is_rotation_vector(f_) ? power < -1.5 && power > -2.5 && (!ends_below || near_root(p(peak_).low))
-                             : has_angle(f_) && power < -1 && lost > 0 && near_root(p(lost - 1).high))
+                             : is_acos_of_angle())
     return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
            "does not";
   if (is_rotation_vector(f_) && std::ranges::count_if(points_, &Point::opposite) > 1 &&
@@ -294,13 +297,11 @@ std::string Shape::at_small_angles() const {
                        power_of_ten(y(peak_ + 1) > y(peak_ - 1) ? p(peak_).high : p(peak_).low));
   if (power > -0.5 || p(0).y < y(peak_) - jump) return "";
   if (operation_of(f_).starts_with("log3_quaternion") || operation_of(f_) == "log3_any_norm") {
-    // Half of the stored quaternions have w < 0.
-    std::uint64_t cases = 0, failed = 0;
+    std::uint64_t cases = 0, failed = 0;  // half of the stored quaternions have w < 0
     for (const Point& q : points_) cases += q.y > 0.5 ? q.cases : 0, failed += q.y > 0.5 ? q.failed : 0;
     if (failed * 10 > cases * 2 && failed * 10 < cases * 8)
       return "where w < 0, the angle 2 atan2(|v|, w) is near 2 pi, and 2 pi - angle cancels; -Q is the same "
-             "rotation, "
-             "with w > 0";
+             "rotation, with w > 0";
   }
   return fmt::format(
       "a missing series: the formula cancels as theta goes to 0, and the error grows as 1 / theta{}",
@@ -320,12 +321,13 @@ std::string Shape::near_pi() const {
   if (falls_above() && is_rotation_vector(f_))
     return "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as 1 "
            "/ (pi - theta)^2";
-  if (peak_ >= 2 && y(peak_) > 1 && p(peak_ - 1).still && y(peak_ - 2) < y(peak_ - 1) && peak_ + 1 < size() &&
-      falls(peak_ + 1))
+  if (operation_of(f_) != "angle_between" && peak_ >= 2 && y(peak_) > 1 && p(peak_ - 1).still &&
+      y(peak_ - 2) < y(peak_ - 1) && peak_ + 1 < size() && falls(peak_ + 1))
     return fmt::format(
         "a threshold at pi - theta about {}, below which the result is that of theta = pi, or of another "
-        "axis",
-        border(p(peak_), p(peak_ + 1)));
+        "axis{}",
+        border(p(peak_), p(peak_ + 1)),
+        !has_series(f_) && y(peak_ + 1) > 0 ? "; above it, 1 + cos(theta) or the cross product cancels" : "");
   if (!has_series(f_) && !has_angle(f_)) {
     std::size_t lost = 0;
     while (lost < size() && p(lost).lost) ++lost;
@@ -342,21 +344,21 @@ std::string Shape::near_pi() const {
         "of R have none",
         border(p(wrong - 1), p(wrong)));
   if (keeps_half())
-    return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
+    return fmt::format("{}, which keeps half of the digits near pi; atan2 of both parts does not",
+                       operation_of(f_) == "angle_between" ? "acos near -1" : "asin of a number near 1");
   // Nearer to pi than the root of eps, the results of any formula are lost, or on another branch.
   if (const auto start = sharp_start(); start && p(*start).low > root_)
     return fmt::format(
-        "a threshold at pi - theta about {}: beyond it something is divided by sin(theta) or sqrt(1 + "
-        "trace), which cancel near "
-        "pi",
+        "a threshold at pi - theta about {}: beyond it something is divided by sin(theta) or "
+        "sqrt(1 + trace), which cancel near pi",
         border(p(*start), p(*start - 1)));
   if (is_of_cosine() &&
       (operation_of(f_).starts_with("log3_quaternion") || operation_of(f_) == "relative_angle"))
     return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
   if (is_of_cosine())
     return fmt::format(
-        "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: (1 + cos(theta)) / "
-        "sin(theta) is 1 / tan(theta / 2)",
+        "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: "
+        "(1 + cos(theta)) / sin(theta) is 1 / tan(theta / 2)",
         short_angle(root_));
   if (p(0).y > jump && power < -0.5 && power > -2.5 && returns_quaternion(f_))
     return "a quaternion from a rotation matrix: something is divided by w = sqrt(1 + trace) / 2, which "
@@ -392,7 +394,7 @@ std::string_view operation_of(const FailedBlock& f) {
   return f.worst->series->outputs.at(f.worst->output).operation;
 }
 bool has_angle(const FailedBlock& f) {
-  return is_rotation_vector(f) || operation_of(f) == "relative_angle";
+  return is_rotation_vector(f) || operation_of(f) == "relative_angle" || operation_of(f) == "angle_between";
 }
 
 }  // namespace liecheck::properties

@@ -84,16 +84,17 @@ inline constexpr auto quaternion_from_mrp = operation<struct QuaternionFromMrp>(
 
 inline constexpr auto nearest_rotation = operation<struct NearestRotation>(
     {"nearest_rotation",
-     "the rotation R that minimises |R - A|, Frobenius: the polar factor, |A^T A - I| <= 0.4",
+     "the rotation R that minimises |R - A|, Frobenius: the polar factor, |A^T A - I| <= 0.4, det A > 0",
      "Higham 2008, section 8.1"},
     nearest_result, {rotation_of_matrix, orthogonality_of_matrix},
     {representations_header, "nearestRotation<S>(A)"}, A);
-inline constexpr auto gram_schmidt = operation<struct GramSchmidt>(
-    {"gram_schmidt",
-     "R with x along the first column of A, and y in the plane of the first two, |A^T A - I| <= 0.4",
-     "Golub & Van Loan 2013, section 5.2.7"},
-    nearest_result, {rotation_of_matrix, orthogonality_of_matrix},
-    {representations_header, "orthonormalized<S>(A)"}, A);
+inline constexpr auto gram_schmidt =
+    operation<struct GramSchmidt>({"gram_schmidt",
+                                   "R with x along the first column of A, and y in the plane of the first "
+                                   "two, |A^T A - I| <= 0.4, det A > 0",
+                                   "Golub & Van Loan 2013, section 5.2.7"},
+                                  nearest_result, {rotation_of_matrix, orthogonality_of_matrix},
+                                  {representations_header, "orthonormalized<S>(A)"}, A);
 
 // What a conversion gives for a matrix that has drifted from a rotation.
 inline constexpr std::string_view drifted_source =

@@ -13,7 +13,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint64_t tried_cases = 2000, least = 3;
+constexpr std::uint64_t tried_cases = 2000, least = 3, enough_elsewhere = 8;
 constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
 constexpr double most_seconds = 3;      ///< of an idle machine, for slow subjects
 constexpr std::size_t most_firsts = 6;  ///< first parts for which a second is searched
@@ -160,7 +160,7 @@ class ConditionSearch {
   /// none fails elsewhere, which is no chance.
   bool is_accepted(const Found& f) const {
     const Counts& c = f.counts;
-    if (20 * c.elsewhere < all_.size()) return false;
+    if (20 * c.elsewhere < all_.size() || c.elsewhere < enough_elsewhere) return false;
     if (c.inside() >= 0.9) return true;
     for (const FeatureRange& part : f.parts)
       if (name(part).angle) return false;

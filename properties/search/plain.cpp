@@ -170,11 +170,9 @@ std::optional<Crossing> angle_between(const Series& series, int output, double f
           }
           return Crossing{std::sqrt(in * out), beside};
         };
-        // Where errors change at once, they cross both the limit and the middle of both errors there.
-        Crossing found = crossing(std::max(1.0, better));
-        if (found.passing >= 0.3 && std::isfinite(worse))
-          found.angle = crossing(std::max(1.0, std::sqrt(worse * better))).angle;
-        return found;
+        // Where errors change at once, they cross the middle of both there; they may come within the limit far beyond.
+        const double most = std::min(worse, 1 / series.eps), least = std::max(1.0, better);
+        return Crossing{crossing(std::sqrt(most * least)).angle, crossing(least).passing};
       }
   return std::nullopt;
 } catch (const GivenUp&) {  // a signal ended a call

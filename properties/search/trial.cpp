@@ -90,7 +90,8 @@ std::vector<Tried> Trial::operator()(const std::vector<double>& x) {
   std::vector<Judged> of_output;
   for (const Judged& j : judged)
     if (static_cast<std::size_t>(j.residual.output) == output_) of_output.push_back(j);
-  if (of_output.empty()) return {};
+  const auto outside = [](const Judged& j) { return j.residual.outcome == Outcome::outside_domain; };
+  if (of_output.empty() || std::ranges::any_of(of_output, outside)) return {};
   if (calls.empty() && tree) calls.push_back(values_of(of_state(*tree, context.features)));
   if (calls.empty()) return {};
   std::vector<Tried> tried;

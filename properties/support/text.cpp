@@ -85,9 +85,9 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
-std::string replay_words(const std::string& id, const std::string& flags) {
+std::string as_typed(const std::string& words) {
   const char *called = std::getenv("LIECHECK_CALLED_AS"), *serves = std::getenv("LIECHECK_SERVES");
-  std::string text = (called && *called ? printable(called) : "liecheck") + " replay " + id + flags;
+  std::string text = (called && *called ? printable(called) : "liecheck") + " " + words;
   if (!serves || !*serves) return text;
   const std::string before = std::string("'") + serves;
   for (auto at = text.find(before); at != text.npos; at = text.find(before, at + 1)) {
@@ -96,6 +96,10 @@ std::string replay_words(const std::string& id, const std::string& flags) {
     text.replace(at, end + 1 - at, shell_quoted(text.substr(at + before.size(), end - at - before.size())));
   }
   return text;
+}
+
+std::string replay_words(const std::string& id, const std::string& flags) {
+  return as_typed("replay " + id + flags);
 }
 
 bool is_replay(const std::string& text) {

@@ -22,8 +22,10 @@ std::string file_name(const std::string& text);
 /// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
 
-/// The command that repeats a case, as its user types it: "liecheck replay ID FLAGS". What starts the program may name
-/// itself in LIECHECK_CALLED_AS, as in "npx liecheck", and in LIECHECK_SERVES what it writes before the name of an adapter.
+/// A command of liecheck as its user types it: "liecheck WORDS". What starts the program may name itself in
+/// LIECHECK_CALLED_AS, as in "npx liecheck", and in LIECHECK_SERVES what it writes before the name of an adapter.
+std::string as_typed(const std::string& words);
+/// The command that repeats a case.
 std::string replay_words(const std::string& id, const std::string& flags = "");
 
 /// Whether the text is one line that runs `liecheck replay` or `liecheck lab replay` and nothing else in a POSIX shell: outside

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
+#include <budgets/limits.hpp>
 #include <oracles/orientations.hpp>
 #include <search/condition.hpp>
 #include <search/feature_names.hpp>
@@ -72,8 +73,12 @@ const bool are_registered = [] {
   return true;
 }();
 
-std::optional<Condition> found(const std::string& subject) {
-  for (const auto& s : select({{subject}, {}, {"double"}}, built_in_robot()))
+std::optional<Condition> found(const std::string& subject, const std::string& domain = "") {
+  Selection selection{{subject}, {}, {"double"}};
+  if (!domain.empty())
+    selection.limits = {std::make_shared<const SubjectLimits>(
+        parse_limits("own.limits", "version = 1\nsubject = " + subject + "\n[domain]\n*, " + domain + "\n"))};
+  for (const auto& s : select(selection, built_in_robot()))
     for (std::size_t i = 0; i < s->outputs.size(); ++i)
       if (s->outputs[i].operation == "angle_between" || s->outputs[i].operation == "rotate_point" ||
           s->outputs[i].operation == "euler_to_matrix")
@@ -95,6 +100,12 @@ TEST(Conditions, NameTheNumberOfTheArgumentThatSeparates) {
   const auto w = found("where:w").value();
   EXPECT_GT(w.failed, 300u);
   EXPECT_EQ(w.failed_elsewhere, 0u);
+}
+
+TEST(Conditions, CountNoInputOutsideTheDomain) {
+  const Condition all = found("where:w").value(), near = found("where:w", "translation = 10").value();
+  EXPECT_EQ(near.text, all.text);
+  EXPECT_LT(near.cases + near.elsewhere, (all.cases + all.elsewhere) * 9 / 10);
 }
 
 TEST(Conditions, FindABorderByBisection) {

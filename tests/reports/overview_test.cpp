@@ -135,7 +135,7 @@ TEST(Findings, CountTheHardCasesOfTheirOperationApart) {
   }
   const Json all =
       Json::array({finding("1  exp6 (translation): bad\n   so       log6 fails in the same way\n"
-                           "   hard     3 hard cases of the same cause: a, ...\n")});
+                           "   hard     3 hard cases of these operations fail: a, ...\n")});
   const std::string text =
       findings_section(Looks(merged({ordinary(9)}, {{"findings", all}, {"hard_cases", hard}})));
   EXPECT_TRUE(has(text, "2 of exp6 fail, too: a, …; and 1 of log6, which fails in the same way")) << text;
