@@ -218,6 +218,7 @@ std::string findings_section(const Looks& looks) {
   std::vector<Told> all;
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings")) all.emplace_back(finding);
+  std::ranges::stable_partition(all, [](const Told& t) { return !t.text.is_refusal(); });
   std::set<std::pair<std::string, std::string>> seen;
   std::string out;
   for (const Told& told : all) {

@@ -77,11 +77,13 @@ FirstScreen::Question near_question(const Looks& looks, const std::string& scala
 
 /// Of the first of these operations that was timed.
 FirstScreen::Question price_question(const Looks& looks, std::vector<std::string> wanted) {
-  FirstScreen::Question all{"price",
-                            "cost",
-                            "What does a digit cost?",
-                            "These records hold no times; <code>liecheck cost</code> measures them.",
-                            {{"correct digits of the worst input", ""}}};
+  FirstScreen::Question all{
+      "price",
+      "cost",
+      "What does a digit cost?",
+      "These records hold no times; <code>liecheck cost</code> measures them, of a program that is an "
+      "adapter only if it times itself (<code>timed</code>).",
+      {{"correct digits of the worst input", ""}}};
   const Json* cost = nullptr;
   for (const Json& record : looks.merged.records)
     if (record.contains("cost")) cost = &record["cost"];

@@ -363,7 +363,10 @@ Command test_command(CLI::App& program, const std::string& typed_line) {
       std::string("test a library: conventions, laws on random inputs, hard cases; one block of "
                   "lines for each finding. ") +
           exit_codes);
-  a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/start.md").required();
+  a.text("ADAPTER", a->adapter, "",
+         "a command or a shared library (*.so); for npx liecheck an ES module, for python -m liecheck "
+         "MODULE:NAME")
+      .required();
   a.text("--page", a->page, "DIR", "write the record and a page of it into this folder");
   a->selection.add_laws(a);
   add_flags(a, typed_line);

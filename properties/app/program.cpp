@@ -182,7 +182,10 @@ Flag Arguments::choice(const std::string& names, std::string& target, const std:
 
 Flag Arguments::list(const std::string& names, std::vector<std::string>& target, const std::string& value,
                      const std::string& help) {
-  return named(command_.add_option(names, target, help), value);
+  CLI::Option* const option = command_.add_option(names, target, help);
+  if (names.starts_with('-'))
+    option->allow_extra_args(false);  // a flag takes no argument that follows its value
+  return named(option, value);
 }
 
 Flag Arguments::toggle(const std::string& names, bool& target, const std::string& help) {

@@ -63,14 +63,22 @@ struct Judging {
   }
   /// Whether `predicted` is as wrong as `got`, in the same direction: nearer to it than a third of its error. What two
   /// calculations with the same wrong part differ by is their own rounding, far below an error that fails.
+  /// A NaN anywhere in a result makes each of its blocks one.
   bool same_error(const Numbers& got, const Numbers& right, const Numbers& predicted) const {
-    if (!finite(got) || !finite(predicted)) return !finite(got) && !finite(predicted);
-    return distance(got, predicted) < 0.3 * distance(got, right);
+    bool any = false;
+    for (std::size_t i = 0; i < got.size(); ++i)
+      if (!std::isfinite(got[i])) {
+        if (std::isfinite(predicted[i]) || predicted[i] == unknown_number) return false;
+        any = true;
+      }
+    return any || (finite(predicted) && distance(got, predicted) < 0.3 * distance(got, right));
   }
 };
 
 Judging judging_of(const Output& output, const Operation& operation, const Numbers& right) {
   Judging all{numbers_of_block(output, operation)};
+  if (right.size() == 3 && output.block == "rotation vector")
+    all.of = {0, 1, 2};  // perhaps of an axis and an angle
   double square = 0;
   for (const std::size_t i : all.of) square += right[i] * right[i];
   const double near_pi = 3.1415;
@@ -78,6 +86,12 @@ Judging judging_of(const Output& output, const Operation& operation, const Numbe
   all.either_sign = (all.of.size() == 4 && is_rotation) ||
                     (output.definition->unit == "rad" && all.of.size() == 3 && square > near_pi * near_pi);
   return all;
+}
+
+/// An axis and an angle as a rotation vector, any other result as it is.
+Numbers seen(const Output& output, const Numbers& x) {
+  if (x.size() != 4 || output.block != "rotation vector") return x;
+  return {x[3] * x[0], x[3] * x[1], x[3] * x[2]};
 }
 
 }  // namespace
@@ -89,6 +103,8 @@ std::vector<std::string_view> explained_by(const Series& series, const Output& o
   if (exact_numbers.empty() || exact_numbers.size() != call.result.size()) return parts;
   Numbers right;
   for (const oracles::Real& x : exact_numbers) right.push_back(static_cast<double>(x));
+  right = seen(output, right);
+  const Numbers got = seen(output, call.result);
   const Judging judging = judging_of(output, *call.operation, right);
   if (judging.of.empty()) return parts;
   for (const Relation& r : relations()) {
@@ -102,12 +118,14 @@ std::vector<std::string_view> explained_by(const Series& series, const Output& o
         if (result.empty()) throw std::domain_error("refused");
         return result;
       };
-      return r.result(
-          {call.arguments, call.result, [&](const Numbers& x) { return own(part, x); },
-           [&](const char* name, const Numbers& x) { return own(conventions::operation_named(name), x); }});
+      return seen(output,
+                  r.result({call.arguments, call.result, [&](const Numbers& x) { return own(part, x); },
+                            [&](const char* name, const Numbers& x) {
+                              return own(conventions::operation_named(name), x);
+                            }}));
     };
     try {
-      if (judging.explains(call.result, right, predicted)) parts.push_back(part.name);
+      if (judging.explains(got, right, predicted)) parts.push_back(part.name);
     } catch (const std::exception&) {  // refused, or outside what the oracle knows
     }
   }

@@ -9,7 +9,8 @@ struct NotedCall;  // calls.hpp
 
 /// The operations that explain a wrong result: computed by the definition from the subject's own result of that operation,
 /// and from exact ones of all others, it is as wrong, in the same direction, to a third of its error. Blocks that follow
-/// from another block of the same result name their own operation. Empty if there are none.
+/// from another block of the same result name their own operation. Where rounding decides how wrong a result is, one as wrong
+/// in another direction counts, too. Empty if there are none.
 std::vector<std::string_view> explained_by(const Series& series, const Output& output, const NotedCall& call);
 
 }  // namespace liecheck::properties

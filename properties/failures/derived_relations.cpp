@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <failures/relation_numbers.hpp>
+#include <failures/relations.hpp>
 
 namespace liecheck::properties {
 
@@ -11,6 +12,9 @@ namespace {
 Numbers along(const Numbers& x, Numbers delta) {
   for (double& number : delta) number *= x[14];
   return exact("integrate", joined({cut(x, 0, 7), delta}));
+}
+Numbers with_rho(const Numbers& phi, const Vec3& p) {
+  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
 }
 /// delta of interpolation with the rotation vector phi.
 Numbers way_of(const Numbers& x, const Numbers& phi) {
@@ -103,8 +107,8 @@ const Relation all_relations[] = {
      }},
     {"axis_angle_from_quaternion", "log3_quaternion",
      [](const CallOf& c) -> Numbers { return axis_and_angle(c.part(c.x)); }},
-    {"axis_angle_from_matrix", "axis_angle_from_quaternion",
-     [](const CallOf& c) -> Numbers { return c.part(numbers(quat_of(mat3(c.x)))); }},
+    {"axis_angle_from_matrix", "quaternion_from_matrix",
+     [](const CallOf& c) -> Numbers { return exact("axis_angle_from_quaternion", c.part(c.x)); }},
     {"axis_angle_from_matrix", "log3_matrix",
      [](const CallOf& c) -> Numbers { return axis_and_angle(c.part(c.x)); }},
     {"log3_matrix", "quaternion_from_matrix",

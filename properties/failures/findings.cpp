@@ -1,11 +1,13 @@
 #include <failures/findings.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <failures/calls.hpp>
 #include <failures/causes.hpp>
 #include <failures/result.hpp>
 #include <failures/tree_causes.hpp>
+#include <functional>
 #include <invariants/tree_laws.hpp>
 #include <map>
 #include <set>
@@ -21,8 +23,7 @@ struct Group {
   std::vector<FailedBlock*> blocks;  ///< by scalar
   std::optional<std::size_t> cause;  ///< another group
   std::set<std::size_t> of_bands;    ///< groups of the operations that explain some of its bands
-  std::vector<std::pair<const FailedBlock*, std::set<std::size_t>>>
-      beside;  ///< bands in which its cause passes
+  std::vector<Beside> beside;
 };
 using BlockKey = std::tuple<std::string, std::string, std::string>;  ///< subject, operation, block
 
@@ -228,23 +229,39 @@ class Groups {
         }
     }
   }
-  /// Of a group with a cause, the bands in which it loses four digits, the cause passes, and no wrong operation explains it.
+  /// Of a group with a cause, the bands in which no other wrong operation explains its worst case, and it loses four digits where
+  /// the cause passes, or has an outcome that the cause has not.
   void find_bands_beside_causes() {
+    using Outcomes = std::array<std::uint64_t, 4>;
+    const auto outcomes_of = [](const Row& r) {
+      return Outcomes{r.crashed, r.not_finite, r.wrong_branch, r.refused};
+    };
     for (Group& g : groups_) {
       if (!g.cause) continue;
-      std::set<std::pair<std::string, std::size_t>> of_cause;  // scalar, band
+      std::map<std::pair<std::string, std::size_t>, std::pair<std::uint64_t, Outcomes>> of_cause;
       for (std::size_t k = 0; k < groups_.size(); ++k)
         for (const FailedBlock* f : groups_[k].blocks)
           for (const BandOf& b : f->bands)
-            if (of_one_operation(k, *g.cause) && b.row->failed > 0) of_cause.emplace(f->scalar, b.band);
+            if (of_one_operation(k, *g.cause)) {
+              auto& [failed, outcomes] = of_cause[{f->scalar, b.band}];
+              failed += b.row->failed;
+              std::ranges::transform(outcomes, outcomes_of(*b.row), outcomes.begin(), std::plus());
+            }
       for (const FailedBlock* f : g.blocks) {
-        std::set<std::size_t> beside;
-        for (const BandOf& b : f->bands)
-          if (b.fails && b.band > 0 && !of_cause.contains({f->scalar, b.band}) && b.row->worst_score > 1e4 &&
-              !stop_requested)
-            if (const auto parts = causes_in(b, seed_, wrong_[f->subject]); parts && parts->empty())
-              beside.insert(b.band);
-        if (!beside.empty()) g.beside.emplace_back(f, beside);
+        if (is_symptom(f->block)) continue;
+        Beside digits{f, {}, false}, outcome{f, {}, true};
+        for (const BandOf& b : f->bands) {
+          if (!b.fails || b.band == 0 || stop_requested) continue;
+          const auto& [failed, outcomes] = of_cause[{f->scalar, b.band}];
+          const Outcomes own = outcomes_of(*b.row);
+          bool other = false;
+          for (std::size_t i = 0; i < own.size(); ++i) other = other || (own[i] > 0 && outcomes[i] == 0);
+          if (!other && (failed > 0 || b.row->worst_score < 1e4)) continue;
+          auto parts = causes_in(b, seed_, wrong_[f->subject]);
+          if (parts && other) std::erase(*parts, f->operation);
+          if (parts && parts->empty()) (other ? outcome : digits).bands.insert(b.band);
+        }
+        for (const Beside& one : {digits, outcome}) g.beside.push_back(one);
       }
     }
   }
@@ -371,6 +388,10 @@ std::vector<Finding> findings_of(const CampaignResult& campaign, std::vector<Fai
   for (auto& [first, finding] : by_root) all.push_back(std::move(finding));
   for (auto& [key, finding] : hard_only) all.push_back(std::move(finding));
   std::ranges::stable_sort(all, std::greater(), &Finding::ordinary);
+  // What is refused is not wrong.
+  const auto answers = [](const FailedBlock* f) { return worst_outcome(*f->worst->row) != "refused"; };
+  std::ranges::stable_partition(
+      all, [&](const Finding& f) { return f.own.empty() || std::ranges::any_of(f.own, answers); });
   put_spatial_first(all);
   return all;
 }

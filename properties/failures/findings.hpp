@@ -7,6 +7,14 @@
 
 namespace liecheck::properties {
 
+/// Bands of a block in which its cause explains nothing: it passes there or, if `of_outcome`, has not the same outcome in place of
+/// an error.
+struct Beside {
+  const FailedBlock* block;
+  std::set<std::size_t> bands;
+  bool of_outcome;
+};
+
 /// Failures with one cause: blocks of an operation in each scalar, and of those that call it.
 struct Finding {
   std::string subject, operation;
@@ -14,8 +22,7 @@ struct Finding {
       own;  ///< blocks of the operation that is wrong, worst first; empty if only hard cases fail
   std::vector<const FailedBlock*> others;  ///< of operations that fail in the same way
   std::vector<std::string> partly;         ///< operations of which it explains some bands, not all
-  /// Bands of blocks of `others` in which it passes and explains nothing.
-  std::vector<std::pair<const FailedBlock*, std::set<std::size_t>>> beside;
+  std::vector<Beside> beside;
   std::vector<const HardRow*> hard_rows;    ///< hard cases that fail in one of these blocks
   std::vector<const HardCell*> hard_cells;  ///< of `hard_rows`, one each
   std::vector<std::string> used;            ///< spatial operations that fail and that it may use

@@ -49,7 +49,7 @@ std::string of_branch_near_pi(const FailedBlock& f) {
 std::string of_not_finite(const FailedBlock& f) {
   double largest = -1;
   std::uint64_t elsewhere = 0;  // failures where no result is NaN or infinite
-  bool zero = false, beyond = false, near_pi = false, other = false;
+  bool zero = false, at_zero = false, beyond = false, near_pi = false, other = false;
   for (const BandOf& b : f.bands) {
     if (b.row->not_finite == 0) {
       elsewhere += b.fails ? b.row->failed : 0;
@@ -57,7 +57,8 @@ std::string of_not_finite(const FailedBlock& f) {
     }
     const Band& band = b.series->bands()[b.band];
     if (band.axis == Axis::theta)
-      largest = std::max(largest, band.high), zero = zero || band.high == 0;
+      largest = std::max(largest, band.high), zero = zero || band.high == 0,
+      at_zero = at_zero || (band.high == 0 && 4 * b.row->not_finite >= 3 * b.row->inside());
     else if (band.axis == Axis::pi_minus_theta && band.high < 1)
       near_pi = true;
     else if (band.region == Region::beyond_pi)
@@ -65,7 +66,7 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
-  if (operation_of(f).starts_with("axis_angle") && zero && largest > 0)
+  if (operation_of(f).starts_with("axis_angle") && at_zero && largest > 0)
     return fmt::format("0/0 for theta < {}: the vector part has length 0", power_of_ten(largest));
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
@@ -169,9 +170,9 @@ bool is_scattered(const std::vector<JudgedCall>& calls) {
 }
 
 /// The errors over a feature: the slope of their logarithms, 0 if it is not known; the largest value at which more than a
-/// thousandth is wrong; and the largest one below which most errors are of the size of the feature.
+/// thousandth is wrong; the largest one below which most errors are of the size of the feature, and the next one.
 struct ErrorsOver {
-  double slope = 0, wrong_up_to = -1, as_large_up_to = -1;
+  double slope = 0, wrong_up_to = -1, as_large_up_to = -1, less_from = -1;
 };
 ErrorsOver errors_over(const Condition& c) {
   ErrorsOver all;
@@ -183,7 +184,8 @@ ErrorsOver errors_over(const Condition& c) {
     if (error > 1e-3) all.wrong_up_to = value;
     const bool like = error > 0.05 * value && error < 3 * value;
     as_large += like;
-    if (like && as_large >= 3 && as_large >= 0.8 * n) all.as_large_up_to = value;
+    if (like && as_large >= 3 && as_large >= 0.8 * n) all.as_large_up_to = value, all.less_from = -1;
+    if (!like && all.less_from < 0) all.less_from = value;
   }
   const double spread = n * xx - x * x;
   if (n >= 5 && spread > 0) all.slope = (n * xy - x * y) / spread;
@@ -214,8 +216,10 @@ std::string near_gimbal_lock(const FailedBlock& f) {
            "or difference";
   if (errors.as_large_up_to > 4 * std::sqrt(f.worst->series->eps) && 10 * errors.as_large_up_to < c->high)
     return fmt::format(
-        "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
-        errors.as_large_up_to);
+        "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it; "
+        "above "
+        "it, rounding costs digits, the more the nearer to gimbal lock",
+        std::sqrt(errors.as_large_up_to * std::max(errors.as_large_up_to, errors.less_from)));
   if (errors.slope > 0.5)
     return fmt::format(
         "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",

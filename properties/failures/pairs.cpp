@@ -183,8 +183,8 @@ std::vector<NumberPair> pairs_of(const Output& output, const NotedCase& noted, c
         (size == 4 && part.unit == "1" && call.operation->name != "normalize") || turned);
   }
   if (call.operation == output.record)
-    std::erase_if(all, [&, i = std::size_t(0), size = all.size()](const NumberPair&) mutable {
-      return !is_in_block(output, size, i++);
+    std::erase_if(all, [&, i = std::size_t(0), size = all.size()](const NumberPair& pair) mutable {
+      return !is_in_block(output, size, i++) && std::isfinite(pair.got);  // a NaN makes all blocks one
     });
   return all;
 }

@@ -2,9 +2,12 @@
 // Numbers of calls as vectors, matrices and quaternions, in double, for the relations between operations.
 
 #include <Eigen/Geometry>
-#include <failures/relations.hpp>
+#include <initializer_list>
+#include <vector>
 
 namespace liecheck::properties {
+
+using Numbers = std::vector<double>;
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -81,8 +84,4 @@ inline Numbers relative_quaternion(const Numbers& x, std::size_t first, std::siz
 inline Numbers rho_of(const Mat3& J_inverse, const Vec3& p) {
   return numbers(Vec3(J_inverse * p));
 }
-inline Numbers with_rho(const Numbers& phi, const Vec3& p) {
-  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
-}
-
 }  // namespace liecheck::properties

@@ -13,8 +13,11 @@ namespace liecheck::properties {
 namespace {
 
 /// Of a rotation vector that is not predicted, but taken from the result.
-const Numbers unknown(3, std::numeric_limits<double>::quiet_NaN());
+const Numbers unknown(3, unknown_number);
 
+Numbers with_rho(const Numbers& phi, const Vec3& p) {
+  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
+}
 /// exp6 of the rotation R and phi, with the exact translation.
 Numbers exp_of(const Mat3& R, const Numbers& x) {
   return joined({numbers<3>(R), numbers(Vec3(mat3(exact("left_jacobian3", cut(x, 3, 3))) * vec3(x, 0)))});

@@ -2,6 +2,7 @@
 // How results of operations follow from those of others, as libraries compute them.
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Relation {
   const char *of, *part;
   Numbers (*result)(const CallOf&);
 };
+
+/// What a relation has for a number that it does not predict.
+constexpr double unknown_number = std::numeric_limits<double>::infinity();
 
 /// The result of an operation from the oracle, each number rounded once. Throws what the oracle throws where it knows none.
 Numbers exact(const char* operation, const Numbers& arguments);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <failures/calls.hpp>
 #include <failures/result.hpp>
@@ -16,16 +15,6 @@ namespace {
 
 constexpr std::size_t most_lines = 3;
 constexpr std::uint64_t least = 3;  ///< failing cases
-
-constexpr std::uint64_t Row::*without_error[] = {&Row::crashed, &Row::not_finite, &Row::wrong_branch,
-                                                 &Row::refused};
-using Counts = std::array<std::uint64_t, std::size(without_error)>;
-/// The cases of a row with each outcome in place of an error, and those with an error.
-Counts counts_of(const Row& row) {
-  Counts all{};
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = row.*without_error[i];
-  return all;
-}
 
 /// The block with the bands for which `fails` is true; its worst band is null if there are none.
 template <class Fails>
@@ -41,24 +30,6 @@ FailedBlock part_of(const FailedBlock& f, const Fails& fails) {
 bool is_huge(const BandOf& b) {
   const Band& band = b.series->bands()[b.band];
   return band.region == Region::beyond_pi && band.low >= 100;
-}
-
-/// The bands of a block in which its failures cannot be those of a cause with the blocks `of`: it has an outcome there that no
-/// block of the cause has.
-FailedBlock beside_its_cause(const FailedBlock& f, const std::vector<const FailedBlock*>& of) {
-  std::map<std::size_t, Counts> by_band;
-  for (const FailedBlock* own : of)
-    for (const BandOf& b : own->bands)
-      if (own->scalar == f.scalar) {
-        const Counts counts = counts_of(*b.row);
-        for (std::size_t i = 0; i < counts.size(); ++i) by_band[b.band][i] += counts[i];
-      }
-  return part_of(f, [&](const BandOf& b) {
-    const Counts own = counts_of(*b.row), &of_cause = by_band[b.band];
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (b.row->failed > 0 && own[i] > 0 && of_cause[i] == 0) return true;
-    return false;
-  });
 }
 
 /// The bands of another block of an operation in which far more cases fail than in `first`.
@@ -94,10 +65,13 @@ std::string lines_of(const FailedBlock& part, const std::string& name, bool of_o
                     number =
                         call && !call->thrown.empty() ? call->thrown : worst_number_text(series, of, all);
   std::string what = worst_outcome(*most->row, of_outcome);
-  if (what.empty()) what = digits_lost(score_of(*most), series.eps);
+  if (what.empty()) what = digits_lost(part.score, series.eps);
   if (called.empty() || number.empty() || what.empty()) return "";
-  return fmt::format("   also     {}{}, {}: {}\n            {}\n", name, what, where_of(part), called,
-                     number);
+  const double score = score_of(series, s->judged);
+  const bool less =
+      s->judged.residual.outcome == Outcome::measured && 10 * score < std::min(part.score, 1 / series.eps);
+  return fmt::format("   also     {}{}, {}: {}\n            {}{}\n", name, what, where_of(part), called,
+                     number, less ? ": " + digits_lost(score, series.eps) : "");
 } catch (const GivenUp&) {
   return "";
 }
@@ -127,15 +101,10 @@ std::string second_ways(const Finding& finding, const CampaignResult& campaign) 
     if (f->operation == first.operation && f->scalar == first.scalar && f->block != first.block &&
         f->block != "jump" && !f->block.ends_with("defect"))
       add(beside_another(*f, first), f->block);
-  std::vector<const FailedBlock*> of_cause;
-  for (const FailedBlock* f : finding.own)
-    if (f->operation == finding.operation) of_cause.push_back(f);
-  for (const FailedBlock* f : finding.others)
-    if (f->operation != finding.operation && f->scalar == first.scalar)
-      add(beside_its_cause(*f, of_cause), f->operation, true);
-  for (const auto& [f, bands] : finding.beside)
-    if (f->scalar == first.scalar)
-      add(part_of(*f, [&bands = bands](const BandOf& b) { return bands.contains(b.band); }), f->operation);
+  for (const Beside& beside : finding.beside)
+    if (beside.block->scalar == first.scalar)
+      add(part_of(*beside.block, [&](const BandOf& b) { return beside.bands.contains(b.band); }),
+          beside.block->operation, beside.of_outcome);
   std::string text;
   for (const std::string& lines : all) text += lines;
   return text;
