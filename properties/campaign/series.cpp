@@ -447,8 +447,10 @@ void Series::record_thrown(const std::exception& thrown, const std::vector<doubl
              });
     });
   if (of == outputs.end()) of = outputs.begin() + (due ? std::countr_zero(due) : 0);
-  judge.outcome(*of, band_of_input(x, static_cast<std::size_t>(of - outputs.begin())),
-                failed ? failed->outcome : Outcome::refused);
+  const Outcome outcome = failed ? failed->outcome : Outcome::refused;
+  // What an adapter finds when it repeats calls may be of an earlier input, so it has no angle.
+  const bool earlier = failed && outcome == Outcome::not_repeatable;
+  judge.outcome(*of, earlier ? 0 : band_of_input(x, static_cast<std::size_t>(of - outputs.begin())), outcome);
 }
 
 std::vector<Judged> Series::measure(const std::vector<double>& x, const Limits& limits) const {
