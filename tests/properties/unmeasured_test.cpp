@@ -168,7 +168,7 @@ TEST(ALawThatReturnsEarly, IsIncompleteAndSaysWhatItDidNotRecord) {
   const auto lines = not_measured(*series, tally);
   ASSERT_EQ(lines.size(), 3u) << lines.size();  // the blocks of exp6
   for (const auto& line : lines) EXPECT_NE(line.find("exp6, "), line.npos) << line;
-  EXPECT_NE(lines[0].find("not reached in "), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("not recorded in "), std::string::npos) << lines[0];
   const auto record = record_of(StoredRun{run_early(1), {}, {}});
   EXPECT_EQ(record["verdict"], "incomplete");
   EXPECT_EQ(record["not_measured"].size(), 3u);
