@@ -14,7 +14,8 @@ namespace timing_detail {
 template <class S>
 Vec<S, 3> unit_vector(Source& source) {
   for (;;) {
-    const Vec<S, 3> v{source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>()};
+    const S z = source.symmetric<S>(), y = source.symmetric<S>(), x = source.symmetric<S>();
+    const Vec<S, 3> v(x, y, z);
     const S n = v.squaredNorm();
     if (n <= S(1) && n > S(1) / S(64)) return v / std::sqrt(n);
   }
@@ -102,7 +103,8 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
       case Kind::inertia: {  // three unit masses in a cube with edges of 2 m
         Mat<S, 3> I = Mat<S, 3>::Zero();
         for (int k = 0; k < 3; ++k) {
-          const Vec<S, 3> r{source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>()};
+          const S z = source.symmetric<S>(), y = source.symmetric<S>(), rx = source.symmetric<S>();
+          const Vec<S, 3> r(rx, y, z);
           I += r.squaredNorm() * Mat<S, 3>::Identity() - r * r.transpose();
         }
         for (const S& v : {I(0, 0), I(0, 1), I(1, 1), I(0, 2), I(1, 2), I(2, 2)}) x.push_back(v);

@@ -57,14 +57,14 @@ template <Scalar S>
 }
 
 /// Whether the pivot of D_kk is above its rounding error, eps (64 s^T Ic s + 4 |s|^2 B), s the column of joint i:
-/// B = trace + mass reach^2 bounds the inertias that I^A is summed from (InertiaBound). I^A itself is no
+/// B = trace + sum m l^2 bounds the inertias that I^A is summed from (InertiaBound). I^A itself is no
 /// measure of this error: the joints behind may have left nothing but rounding errors of it. Most pivots are
 /// far above it and pass without Ic.
 template <Scalar S>
 bool aboveRounding(const Model<S>& model, Data<S>& data, std::size_t i, const S& pivot, const Vector6<S>& s) {
   const auto& carried = data.work.carried[i];  // numbers, because squaredNorm takes 3 % of aba's time
   const S t = s[0] * s[0] + s[1] * s[1] + s[2] * s[2], w = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  const S all = t * carried.mass + w * (carried.trace + carried.mass * carried.reach * carried.reach);
+  const S all = t * carried.mass + w * S(carried.trace + carried.square);
   return pivot > S(256) * eps<S>() * all ||
          pivot > eps<S>() * S(S(64) * carriedInertia(model, data, i, s) + S(4) * all);
 }

@@ -11,23 +11,24 @@ namespace algorithms_detail {
 /// Whether the rows of J [6 x nv], each scaled to length 1, are linearly independent up to 64 eps: by modified
 /// Gram-Schmidt, the longest rest first. K below cannot tell: its errors are those of J times the condition of M.
 template <Scalar S>
-bool hasFullRank(Matrix6X<S> J) {
+bool hasFullRank(const Matrix6X<S>& J) {
   using std::sqrt;
-  const auto length = [&](int i) { return S(sqrt(S(J.row(i).squaredNorm()))); };
+  Eigen::Matrix<S, Eigen::Dynamic, 6> rows = J.transpose();
   for (int i = 0; i < 6; ++i) {
-    const S l = length(i);
+    const S l = S(sqrt(S(rows.col(i).squaredNorm())));
     if (!(S(0) < l)) return false;
-    J.row(i) /= l;
+    rows.col(i) *= S(S(1) / l);
   }
   for (int i = 0; i < 6; ++i) {
     int longest = i;
-    for (int k = i + 1; k < 6; ++k)
-      if (length(longest) < length(k)) longest = k;
-    J.row(i).swap(J.row(longest));
-    const S l = length(i);
+    S square(0);
+    for (int k = i; k < 6; ++k)
+      if (const S own = rows.col(k).squaredNorm(); square < own) square = own, longest = k;
+    if (longest != i) rows.col(i).swap(rows.col(longest));
+    const S l = S(sqrt(square));
     if (!(S(64) * eps<S>() < l)) return false;
-    J.row(i) /= l;
-    for (int k = i + 1; k < 6; ++k) J.row(k) -= S(J.row(i).dot(J.row(k))) * J.row(i);
+    rows.col(i) *= S(S(1) / l);
+    for (int k = i + 1; k < 6; ++k) rows.col(k) -= S(rows.col(i).dot(rows.col(k))) * rows.col(i);
   }
   return true;
 }

@@ -139,21 +139,26 @@ struct MovingInertia {
   }
 };
 
-/// Bounds the inertia of all bodies of a subtree about its origin, however they are turned: trace + mass reach^2.
+/// Bounds the inertia of all bodies of a subtree about its origin, however they are turned: trace + sum m l^2, with l the length
+/// of the way to a body's centre of mass, |x| + |y| + |z| of each part.
 template <Scalar S>
 struct InertiaBound {
-  S mass = S(0), trace = S(0);  ///< sums of the masses [kg] and of the traces of I_C [kg m^2]
-  S reach = S(0);  ///< length of the longest way to a body's centre of mass, |x| + |y| + |z| of each part [m]
+  S mass = S(0), trace = S(0);     ///< sums of the masses [kg] and of the traces of I_C [kg m^2]
+  S moment = S(0), square = S(0);  ///< sums of m l [kg m] and of m l^2 [kg m^2]
 
   explicit InertiaBound(const CompositeInertia<S>& body)
-      : mass(body.mass), trace(S(body.xx + body.yy) + body.zz), reach(length(body.c)) {}
+      : mass(body.mass), trace(S(body.xx + body.yy) + body.zz) {
+    const S l = length(body.c);
+    moment = mass * l, square = moment * l;
+  }
   InertiaBound() = default;
 
   /// Adds a subtree whose origin is at r [m].
   [[gnu::always_inline]] void join(const InertiaBound& other, const Vector3<S>& r) {
-    const S way = length(r) + other.reach;
+    const S l = length(r), more = other.mass * l;
+    square += S(other.square + S(l * S(S(S(2) * other.moment) + more)));
+    moment += S(other.moment + more);
     mass += other.mass, trace += other.trace;
-    if (reach < way) reach = way;
   }
 
  private:
