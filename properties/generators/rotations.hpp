@@ -278,9 +278,11 @@ Eigen::Matrix<S, 3, 1> direction_beside(Source& source, const Eigen::Matrix<S, 3
       for (int i = 0; i < 3; ++i) b[i] = step_ulps(b[i], source.between(-2, 2));
       break;
     case 2:
-    case 3:
-      b += binade_uniform<S>(source, -std::numeric_limits<S>::digits - 20, -4) * direction<S>(source);
+    case 3: {
+      const Eigen::Matrix<S, 3, 1> n = direction<S>(source);
+      b += binade_uniform<S>(source, -std::numeric_limits<S>::digits - 20, -4) * n;
       break;
+    }
     case 4: {
       const Eigen::Matrix<S, 3, 1> n = direction<S>(source);
       b = Eigen::Matrix<S, 3, 1>(a[1] * n[2] - a[2] * n[1], a[2] * n[0] - a[0] * n[2],

@@ -65,7 +65,8 @@ template <class S>
 Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
   using V3 = Eigen::Matrix<S, 3, 1>;
   const auto length = [&] { return binade_uniform<S>(source, -4, 1); };
-  V3 a(length(), length(), length());
+  V3 a;
+  for (const int k : {2, 1, 0}) a[k] = length();
   switch (degenerate ? source.below(6) : 3 + source.below(3)) {
     case 0:
       return Eigen::Matrix<S, 6, 1>::Zero();

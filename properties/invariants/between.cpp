@@ -67,8 +67,8 @@ class Interpolation final : public SlowLaw<Interpolation> {
   template <class S>
   static Vec<S, 3> beside(Source& source, const Vec<S, 3>& p) {
     using std::sqrt;
-    return p + S(sqrt(p.squaredNorm())) * binade_uniform<S>(source, -std::numeric_limits<S>::digits, 2) *
-                   direction<S>(source);
+    const Vec<S, 3> n = direction<S>(source);
+    return p + S(sqrt(p.squaredNorm())) * binade_uniform<S>(source, -std::numeric_limits<S>::digits, 2) * n;
   }
 };
 

@@ -189,9 +189,10 @@ class Preintegration final : public SlowLaw<Preintegration> {
           source.chance(1, 16) ? S(0) : binade_uniform<S>(source, small ? -30 : -6, small ? -6 : 1);
       append(x, Vec<S, 3>(turn / dt * (one_axis ? axis : direction<S>(source))));
     }
-    for (int i = 0; i < 3; ++i)
-      append(x, Vec<S, 3>((source.chance(1, 16) ? S(0) : binade_uniform<S>(source, -8, 5)) *
-                          direction<S>(source)));
+    for (int i = 0; i < 3; ++i) {
+      const Vec<S, 3> n = direction<S>(source);
+      append(x, Vec<S, 3>((source.chance(1, 16) ? S(0) : binade_uniform<S>(source, -8, 5)) * n));
+    }
     x.push_back(dt);
     return x;
   }

@@ -40,7 +40,7 @@ class TypedMutations {
   void uniform(std::vector<S>& x, Source& source) const {
     static const S pi = boost::math::constants::pi<S>();
     for (const Group& g : groups_) {
-      const V3 phi = S(pi * source.unit<S>()) * axis(source);
+      const V3 n = axis(source), phi = S(pi * source.unit<S>()) * n;
       if (g.kind == Kind::rotation_vector) at3(x, g.from) = phi;
       if (g.kind == Kind::quaternion || g.kind == Kind::any_quaternion) at4(x, g.from) = quaternion(phi);
       if (g.kind == Kind::rotation_matrix) put_matrix(x, g.from, quaternion(phi));
@@ -73,6 +73,11 @@ class TypedMutations {
     const int k = s.between(0, digits);
     const S size = S(ldexp(S(1) + s.unit<S>(), -1 - k));
     return s.chance(1, 2) ? size : S(-size);
+  }
+  /// A step, relative to the size, along an axis.
+  static V3 along_axis(Source& s, const S& size) {
+    const V3 n = axis(s);
+    return S(step(s) * size) * n;
   }
   /// 1 + step or, with probability 1/4, a factor between 2^-8 and 2^8.
   static S factor(Source& s) {
@@ -199,7 +204,7 @@ class TypedMutations {
         v[i] *= factor(s);
         return;
       case 4:  // changes the direction
-        v += S(step(s) * n) * axis(s);
+        v += along_axis(s, n);
         if (length(v) > S(0) && s.chance(1, 2)) v *= n / length(v);
         return;
       case 5:  // projects onto a coordinate plane or an axis
@@ -240,7 +245,7 @@ class TypedMutations {
     if (s.chance(1, 3)) {
       w = V3(w.cross(axis(s)));
     } else if (s.chance(1, 2)) {
-      w += S(step(s) * m) * axis(s);
+      w += along_axis(s, m);
     }
     v = s.chance(1, 2) && g.kind == Kind::vector && o.kind == Kind::vector ? w : V3(S(n / m) * w);
   }
@@ -265,7 +270,7 @@ class TypedMutations {
         d[3] *= factor(s);
         break;
       case 3:
-        d.template head<3>() += S(step(s) * length(d.template head<3>())) * axis(s);
+        d.template head<3>() += along_axis(s, length(d.template head<3>()));
         break;
       case 4: {  // one component, to the last bit
         V4 p = q;
