@@ -60,15 +60,9 @@ std::vector<std::string> accepting(const FailedBlock& f) {
   for (const BandOf& b : f.bands)
     if (fails(*b.series, {int(b.output), int(b.band)}, *b.row)) bad[b.band] = true;
   std::vector<std::string> inputs;
-  for (std::size_t first = 0; first < bands.size(); ++first) {
-    if (!bad[first]) continue;
-    std::size_t last = first;
-    while (last + 1 < bands.size() && bad[last + 1] && bands[first].axis != Axis::none &&
-           bands[last + 1].axis == bands[first].axis)
-      ++last;
+  for (const auto& [first, last] : runs_of(bands, bad)) {
     const auto more = inputs_of(bands, first, last);
     inputs.insert(inputs.end(), more.begin(), more.end());
-    first = last;
   }
   if (bad[0]) inputs = {"any"};
   for (std::string& text : inputs) text = fmt::format("{}, {}, {} = WHY, LINK", f.operation, f.block, text);

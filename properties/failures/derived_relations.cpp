@@ -8,29 +8,26 @@ namespace liecheck::properties {
 
 namespace {
 
-/// The pose at t of the way of interpolation, with the tangent delta of the whole way.
-Numbers along(const Numbers& x, Numbers delta) {
-  for (double& number : delta) number *= x[14];
-  return exact("integrate", joined({cut(x, 0, 7), delta}));
-}
-Numbers with_rho(const Numbers& phi, const Vec3& p) {
-  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
-}
-/// delta of interpolation with the rotation vector phi.
-Numbers way_of(const Numbers& x, const Numbers& phi) {
-  return with_rho(phi, vec3(relative_pose(x), 9));
-}
-/// t times the tangent of the whole way, exactly.
-Numbers step_of(const Numbers& x) {
-  Numbers delta = exact("difference", cut(x, 0, 14));
-  for (double& number : delta) number *= x[14];
-  return delta;
-}
-
 Numbers scaled(Numbers x, double by) {
   for (double& number : x) number *= by;
   return x;
 }
+/// The pose of interpolation at t, with the tangent delta from q0 to q1.
+Numbers along(const Numbers& x, const Numbers& delta) {
+  return exact("integrate", joined({cut(x, 0, 7), scaled(delta, x[14])}));
+}
+Numbers with_rho(const Numbers& phi, const Vec3& p) {
+  return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
+}
+/// The tangent from q0 to q1 with the rotation vector phi.
+Numbers way_of(const Numbers& x, const Numbers& phi) {
+  return with_rho(phi, vec3(relative_pose(x), 9));
+}
+/// t times the exact tangent from q0 to q1.
+Numbers step_of(const Numbers& x) {
+  return scaled(exact("difference", cut(x, 0, 14)), x[14]);
+}
+
 Numbers axis_and_angle(const Numbers& phi) {
   const double angle = vec3(phi, 0).norm();
   return joined({angle > 0 ? scaled(phi, 1 / angle) : Numbers{1, 0, 0}, {angle}});
@@ -75,6 +72,11 @@ Numbers jacobian9(const Mat3& J, const Mat3& of_rho, const Mat3& of_nu) {
   for (const Eigen::Index i : {0, 3, 6}) all.block<3, 3>(i, i) = J;
   all.block<3, 3>(0, 6) = of_rho, all.block<3, 3>(3, 6) = of_nu;
   return numbers<9>(all);
+}
+/// From the same Jacobian of poses, at (rho, phi) and (nu, phi).
+Numbers by_jacobian6(const CallOf& c) {
+  const Numbers J = c.part(twist_of(c.x, 0));
+  return jacobian9(mat6(J).topLeftCorner<3, 3>(), coupling_of(J), coupling_of(c.part(twist_of(c.x, 3))));
 }
 
 const Relation all_relations[] = {
@@ -171,18 +173,10 @@ const Relation all_relations[] = {
        return jacobian9(mat3(c.part(cut(c.x, 6, 3))), coupling_of(exact("left_jacobian6", twist_of(c.x, 0))),
                         coupling_of(exact("left_jacobian6", twist_of(c.x, 3))));
      }},
-    {"se23_left_jacobian", "left_jacobian6",
-     [](const CallOf& c) -> Numbers {
-       const Numbers J = c.part(twist_of(c.x, 0));
-       return jacobian9(mat6(J).topLeftCorner<3, 3>(), coupling_of(J), coupling_of(c.part(twist_of(c.x, 3))));
-     }},
+    {"se23_left_jacobian", "left_jacobian6", by_jacobian6},
     {"se23_right_jacobian", "se23_left_jacobian",
      [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
-    {"se23_right_jacobian", "right_jacobian6",
-     [](const CallOf& c) -> Numbers {
-       const Numbers J = c.part(twist_of(c.x, 0));
-       return jacobian9(mat6(J).topLeftCorner<3, 3>(), coupling_of(J), coupling_of(c.part(twist_of(c.x, 3))));
-     }},
+    {"se23_right_jacobian", "right_jacobian6", by_jacobian6},
     {"transport_covariance", "adjoint",
      [](const CallOf& c) -> Numbers {
        const Mat6 Ad = mat6(c.part(cut(c.x, 0, 12)));

@@ -37,6 +37,21 @@ std::string text_of(const DomainBound& b) {
 
 }  // namespace
 
+std::vector<std::pair<std::size_t, std::size_t>> runs_of(const std::vector<Band>& bands,
+                                                         const std::vector<bool>& bad) {
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (std::size_t first = 0; first < bands.size(); ++first) {
+    if (!bad[first]) continue;
+    std::size_t last = first;
+    while (bands[first].axis != Axis::none && last + 1 < bands.size() && bad[last + 1] &&
+           bands[last + 1].axis == bands[first].axis)
+      ++last;
+    all.emplace_back(first, last);
+    first = last;
+  }
+  return all;
+}
+
 std::vector<std::string> inputs_of(const std::vector<Band>& bands, std::size_t first, std::size_t last) {
   std::vector<std::string> all;
   const bool theta = bands[first].axis == Axis::theta;
@@ -225,12 +240,7 @@ auto Promises::promised() const -> Promised {
                  return region.has(bands[i]);  // of another scalar
                });
     }
-    for (std::size_t first = 0; first < bands.size(); ++first) {
-      if (!bad[first]) continue;
-      std::size_t last = first;
-      while (bands[first].axis != Axis::none && last + 1 < bands.size() && bad[last + 1] &&
-             bands[last + 1].axis == bands[first].axis)
-        ++last;
+    for (const auto& [first, last] : runs_of(bands, bad)) {
       OfBand worst;
       for (std::size_t i = first; i <= last; ++i) {
         worst.largest = std::max(worst.largest, block.bands[i].largest);
@@ -243,7 +253,6 @@ auto Promises::promised() const -> Promised {
         all.expected +=
             fmt::format("{}, {}, {} = {} in {}, to-be-reported\n", operation, name, inputs, what, scalar);
       }
-      first = last;
     }
   }
   all.limits = limit_lines(needs, allowance, fmt::format("{:g} times the largest error found", allowance));

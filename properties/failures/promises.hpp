@@ -15,6 +15,9 @@
 
 namespace liecheck::properties {
 
+/// The bands that are bad and follow each other on one axis: the first and the last of each run.
+std::vector<std::pair<std::size_t, std::size_t>> runs_of(const std::vector<Band>& bands,
+                                                         const std::vector<bool>& bad);
 /// The bands first..last of one axis as inputs of a limits file: an interval, and the names of those that have none.
 std::vector<std::string> inputs_of(const std::vector<Band>& bands, std::size_t first, std::size_t last);
 

@@ -14,7 +14,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr std::size_t most_lines = 3;
-constexpr std::uint64_t least = 3;  ///< failing cases
+constexpr std::uint64_t least = 3;  ///< failing cases: fewer may be rounding next to a limit
 
 /// The block with the bands for which `fails` is true; its worst band is null if there are none.
 template <class Fails>

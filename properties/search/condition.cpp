@@ -13,10 +13,10 @@ namespace liecheck::properties {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint64_t tried_cases = 2000, least = 3, enough_elsewhere = 8;
-constexpr std::uint64_t enough_cases = 1000, enough_failures = 20;
-constexpr double most_seconds = 3;      ///< of an idle machine, for slow subjects
-constexpr std::size_t most_firsts = 6;  ///< first parts for which a second is searched
+constexpr std::uint64_t tried_cases = 2000, least = 3, enough_cases = 1000, enough_failures = 20;
+constexpr std::uint64_t enough_elsewhere = 8;  ///< of fewer that pass, a feature separates some by chance
+constexpr double most_seconds = 3;             ///< of an idle machine, for slow subjects
+constexpr std::size_t most_firsts = 6;         ///< first parts for which a second is searched
 
 // About a thousand ranges are tried. Chance alone makes the best of them gain less than 15 (natural logarithms of
 // likelihood), and a border that is no zero or whole number is worth 3.

