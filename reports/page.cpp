@@ -45,10 +45,13 @@ std::string campaign_section(const Merged& merged) {
     Distinct<std::string> subjects;
     std::map<std::string, Cells> scalars;
     for (const Standing& s : all)
-      if (word(s) == standing) subjects.add(s.subject), scalars[s.subject].push_back(escaped(s.scalar));
+      if (word(s) == standing)
+        subjects.add(s.subject),
+            scalars[s.subject].push_back(escaped(s.scalar) +
+                                         (s.expected ? ", but for what its limits file expects" : ""));
     Cells texts;
     for (const std::string& subject : subjects)
-      texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(scalars[subject], ", ")));
+      texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(scalars[subject], " and ")));
     if (!texts.empty()) item(name, fmt::format("{}", fmt::join(texts, "; ")));
   }
   for (const Json& r : merged.records) {
@@ -79,7 +82,7 @@ std::string warnings(const Merged& merged) {
   std::string out;
   int control_rows = 0, control_failed = 0;
   for (const Standing& s : standings(merged))
-    if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.failed;
+    if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.expected + s.failed;
   if (control_rows > 0 && control_failed == 0)
     out +=
         "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
@@ -106,7 +109,7 @@ std::string standings_section(const Merged& merged) {
   std::vector<Cells> rows;
   for (const Standing& s : standings(merged)) {
     Cells row = {escaped(s.subject), escaped(s.version), escaped(s.scalar), status_text(word(s))};
-    for (const int bands : {s.passed, s.failed, s.open, s.ill_posed, s.empty})
+    for (const int bands : {s.passed, s.failed, s.expected, s.open, s.ill_posed, s.empty})
       row.push_back(std::to_string(bands));
     for (const auto cases : {s.not_finite, s.wrong_branch}) row.push_back(std::to_string(cases));
     row.push_back(s.worst ? fmt::format("{} (budget {}): {}", judged_text(*s.worst),
@@ -115,8 +118,9 @@ std::string standings_section(const Merged& merged) {
     rows.push_back(row);
   }
   return table("Subjects",
-               {"subject", "version", "scalar", "standing", "bands passed", "failed", "without a verdict",
-                "ill-posed", "empty", "cases NaN or Inf", "wrong branch", "worst against its budget"},
+               {"subject", "version", "scalar", "standing", "bands passed", "failed", "as expected",
+                "without a verdict", "ill-posed", "empty", "cases NaN or Inf", "wrong branch",
+                "worst against its budget"},
                rows, true);
 }
 

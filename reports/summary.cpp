@@ -35,7 +35,10 @@ bool worse(const Json& a, const Json& b) {
 }
 
 std::string word(const Standing& s) {
-  return s.failed ? "fail" : s.open + s.not_measured ? "incomplete" : s.passed ? "pass" : "no verdict";
+  return s.failed                  ? "fail"
+         : s.open + s.not_measured ? "incomplete"
+         : s.passed + s.expected   ? "pass"
+                                   : "no verdict";
 }
 
 std::string verdict(const Merged& merged) {
@@ -76,11 +79,12 @@ std::vector<Standing> standings(const Merged& merged) {
   for (const Json& row : merged.results) {
     Standing& s = of(row["subject"], row["scalar"]);
     const std::string status = row["status"];
-    ++(status == "pass" || status == "expected" ? s.passed
-       : status == "fail"                       ? s.failed
-       : status == "empty"                      ? s.empty
-       : status == "ill-posed"                  ? s.ill_posed
-                                                : s.open);
+    ++(status == "pass"        ? s.passed
+       : status == "fail"      ? s.failed
+       : status == "expected"  ? s.expected
+       : status == "empty"     ? s.empty
+       : status == "ill-posed" ? s.ill_posed
+                               : s.open);
     s.not_finite += row["not_finite"].get<std::uint64_t>();
     s.wrong_branch += row["wrong_branch"].get<std::uint64_t>();
     const bool was_judged = status == "pass" || status == "fail";

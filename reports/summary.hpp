@@ -13,6 +13,7 @@ struct Standing {
   std::string subject, version, scalar;
   double eps = 0;
   int passed = 0, failed = 0, ill_posed = 0, empty = 0;  ///< number of bands, by status
+  int expected = 0;                                      ///< number that fail as a limits file expects
   int open = 0;                                          ///< number that are unresolved or unmeasured
   int not_measured = 0;                                  ///< number of such entries in the records
   std::uint64_t not_finite = 0, wrong_branch = 0;        ///< number of cases

@@ -84,19 +84,46 @@ struct Judged {
   bool passed = false, open = false, ill_posed = false, expected = false;
 };
 
+/// The functions from whose results a law forms an operation, by its name. Nobody offers such an operation by itself.
+std::map<std::string, std::vector<std::string>> formed_operations(const Looks& looks) {
+  std::map<std::string, std::vector<std::string>> all;
+  for (const Json& record : looks.merged.records)
+    for (const Json& o : list_in(record, "operations"))
+      if (o.contains("formed_from")) all[o["operation"]] = o["formed_from"];
+  return all;
+}
+
 Judged judged_rows(const Looks& looks, const std::string& subject) {
   Judged all;
+  const auto formed = formed_operations(looks);
+  std::vector<std::pair<const Json*, const std::vector<std::string>*>> formed_failures;
+  const auto note = [](Judged& judged, const Json& row, const std::string& function) {
+    judged.all.add(function), judged.at_all.add(function);
+    if (is_ordinary(row)) judged.wrong.add(function);
+  };
   for (const Json& row : looks.merged.results) {
     if (row["subject"] != subject) continue;
     const std::string status = row["status"], operation = row["operation"];
-    if (row["count"] > 0) all.all.add(operation);
+    const auto from = formed.find(operation);
+    if (row["count"] > 0 && from == formed.end()) all.all.add(operation);
     if (status == "fail") {
-      all.failing.push_back(&row), all.at_all.add(operation);
-      is_ordinary(row) ? all.wrong.add(operation) : all.extreme.push_back(&row);
+      all.failing.push_back(&row);
+      if (!is_ordinary(row)) all.extreme.push_back(&row);
+      if (from == formed.end())
+        note(all, row, operation);
+      else
+        formed_failures.emplace_back(&row, &from->second);
     }
     all.passed = all.passed || status == "pass", all.ill_posed = all.ill_posed || status == "ill-posed";
     all.expected = all.expected || status == "expected";
     all.open = all.open || status == "unresolved" || status == "unmeasured";
+  }
+  // One wrong function explains what a law forms from several.
+  for (const auto& [row, from] : formed_failures) {
+    const std::vector<std::string>& known = is_ordinary(*row) ? all.wrong : all.at_all;
+    if (std::ranges::none_of(*from,
+                             [&](const auto& f) { return std::ranges::find(known, f) != known.end(); }))
+      note(all, *row, from->front());
   }
   return all;
 }

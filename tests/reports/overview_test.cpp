@@ -72,6 +72,18 @@ TEST(Verdicts, ALibraryThatFailsAtExtremeAnglesAloneIsAccurateForOrdinaryInputs)
   EXPECT_TRUE(has(wrong.lines[0].words, "</b>, and at extreme angles in 1 more"));
 }
 
+// A library offers log3_matrix, and a law forms log_of_drifted_matrix from it: two operations of which it offers one.
+TEST(Verdicts, CountTheFunctionsOfALibrary) {
+  const auto title = [](double drifted, double own) {
+    return screen_of(
+               merged({ordinary(1), ordinary(own, "log3_matrix"), ordinary(drifted, "log_of_drifted_matrix")},
+                      {{"operations", full_record()["operations"]}}))
+        .title;
+  };
+  EXPECT_EQ(title(1e9, 1), "mine is wrong in 1 of 2 operations");
+  EXPECT_EQ(title(1e9, 1e9), "mine is wrong in 1 of 2 operations");
+}
+
 TEST(Verdicts, AHardCaseOfAnOrdinaryAngleMakesALibraryWrong) {
   Json hard = hard_case("mine", "not finite");
   const auto title = [&](const char* band) {

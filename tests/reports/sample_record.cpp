@@ -193,7 +193,8 @@ Json full_record() {
    "definition": "T = exp(xi)", "expression": "SE3::exp(xi)", "frame": "body axes", "operation": "exp6",
    "results": [{"frame": "body", "name": "T", "size": 6, "unit": "m, rad"},
     {"frame": "joint", "name": "q", "size": "nq", "unit": "rad"}],
-   "source": "Murray, Li, Sastry 1994, eq. 2.36"}],
+   "source": "Murray, Li, Sastry 1994, eq. 2.36"},
+  {"definition": "log3_matrix of A", "formed_from": ["log3_matrix"], "operation": "log_of_drifted_matrix"}],
  "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle",
    "source": "definition"}]})json"));
   for (Json& r : all["results"])
