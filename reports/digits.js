@@ -31,7 +31,7 @@ function numbersTable(title, heads, lines) {
 function worstCase(row) {
   const home = element("div", {class: "worst"}), {worst} = row;
   if (!worst?.id) return home;
-  const command = `liecheck replay ${worst.id}`;
+  const command = subjectOf(row).replay.replace("ID", () => worst.id);
   const button = element("button", {type: "button", class: "copy", "aria-label": `Copy ${command}`}, "copy");
   button.addEventListener("click", () => copy(command, button));
   home.append(element("p", {}, "Replay: ", element("code", {class: "replay"}, command), button));

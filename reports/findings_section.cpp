@@ -115,15 +115,17 @@ std::string hard_of(const std::vector<HardCase>& cases, const Told& told, bool f
 
 /// The operations that fail and that no finding names, of each library.
 std::string further_operations(const Looks& looks, const std::vector<Told>& told) {
-  std::set<std::pair<std::string, std::string>> ordinary;  // those that fail for ordinary inputs
+  std::map<std::pair<std::string, std::string>, bool> failing;  // whether for ordinary inputs
   for (const Json& row : looks.merged.results)
-    if (row["status"] == "fail" && is_ordinary(row)) ordinary.emplace(row["subject"], row["operation"]);
+    if (row["status"] == "fail") failing[{row["subject"], row["operation"]}] |= is_ordinary(row);
   std::map<std::string, std::array<Cells, 2>> further;  // by library, the second at extreme angles alone
-  for (const auto& [subject, operation] : looks.wrong)
+  for (const auto& [key, ordinary] : failing) {
+    const auto& [subject, operation] = key;
     if (std::ranges::none_of(told, [&, &s = subject, &o = operation](const Told& t) {
           return t.subject() == s && (t.operation() == o || std::ranges::count(t.others, o));
         }))
-      further[subject][!ordinary.contains({subject, operation})].push_back(linked(operation));
+      further[subject][!ordinary].push_back(linked(operation));
+  }
   std::string out;
   for (const auto& [subject, operations] : further) {
     Cells parts;

@@ -37,7 +37,7 @@ std::vector<const Json*> telling_rows(const Looks& looks, const std::string& sca
   for (const auto& [name, rows] : groups) {
     const auto any_fails = [&](bool ordinary) {
       return std::ranges::any_of(
-          rows, [&](const Json* r) { return (*r)["status"] == "fail" && is_ordinary(*r) >= ordinary; });
+          rows, [&](const Json* r) { return is_over_budget(*r) && is_ordinary(*r) >= ordinary; });
     };
     double score = 20;
     if (std::ranges::find(common, name[0]) != common.end()) score += 20;
@@ -145,9 +145,13 @@ FirstScreen first_screen(const Looks& looks) {
       {"hard",
        "stability",
        "Are hard cases stable?",
-       hard.empty()
-           ? "These records hold no hard cases."
-           : fmt::format("{}{}: {}.", hard.starts_with("none") ? "Yes, " : "No, ", hard, hard_counts(cases)),
+       hard.empty() ? "These records hold no hard cases."
+                    : fmt::format("{}{}: {}.",
+                                  !hard.starts_with("none") ? "No, "
+                                  : std::ranges::any_of(cases, is_wrong_verdict, &HardCase::verdict)
+                                      ? "As its limits say: "
+                                      : "Yes, ",
+                                  hard, hard_counts(cases)),
        {{"failing cases by class", cases.empty() ? "" : hard_picture(looks, cases)}}});
   return all;
 }

@@ -7,6 +7,7 @@
 #include <reports/picture.hpp>
 #include <reports/summary.hpp>
 #include <stdexcept>
+#include <support/text.hpp>
 
 namespace liecheck::reports {
 
@@ -124,15 +125,23 @@ std::string standings_section(const Merged& merged) {
                rows, true);
 }
 
+/// The line that replays the worst case of a row.
+std::string replay_of(const Merged& merged, const Json& row) {
+  std::string flags;
+  for (const Json& record : merged.records)
+    for (const Json& s : record["subjects"])
+      if (s["name"] == row["subject"] && s["scalar"] == row["scalar"]) flags = s.value("flags", flags);
+  return properties::replay_words(row["worst"]["id"], flags);
+}
+
 std::string offenders_section(const Merged& merged) {
   std::vector<Cells> rows;
   for (const Json* row : worst_offenders(merged, 12)) {
     const Json& r = *row;
-    rows.push_back({text_of(r, "subject"), text_of(r, "scalar"), text_of(r, "operation"), text_of(r, "block"),
-                    text_of(r, "band"), judged_text(r), eps_text(r["budget"]),
-                    !has_worst(r)
-                        ? "—"
-                        : "<code class=\"replay\">liecheck replay " + text_of(r["worst"], "id") + "</code>"});
+    rows.push_back(
+        {text_of(r, "subject"), text_of(r, "scalar"), text_of(r, "operation"), text_of(r, "block"),
+         text_of(r, "band"), judged_text(r), eps_text(r["budget"]),
+         !has_worst(r) ? "—" : "<code class=\"replay\">" + escaped(replay_of(merged, r)) + "</code>"});
   }
   if (rows.empty()) return "<p>No row is over its budget.</p>\n";
   return table("Worst offenders: each subject’s worst band of an operation and block, at most 12",

@@ -10,6 +10,7 @@
 #include <reports/picture.hpp>
 #include <reports/summary.hpp>
 #include <set>
+#include <support/text.hpp>
 #include <unordered_map>
 
 namespace liecheck::reports {
@@ -104,6 +105,8 @@ Json page_numbers(Json numbers, const Looks& looks) {
   shorten_results(numbers["results"], looks.digits);
   numbers["looks"] = looks.of;
   for (Json& record : numbers["records"]) {
+    for (Json& s : record["subjects"])
+      s["replay"] = properties::replay_words("ID", s.value("flags", "")), s.erase("flags");
     if (record.contains("cost"))
       for (Json& row : record["cost"]["rows"]) {
         row["sets"] = Json::array({row["sets"].back()});

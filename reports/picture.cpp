@@ -102,7 +102,7 @@ std::string error_line(const Looks& looks, const std::vector<const Json*>& own, 
     was_slot = slot || !drawn_line;
     const std::string outcome = outcome_of(row);
     const double worst = outcome.empty() ? y_of_digits(looks.digits.lost(row), all) : top + 3;
-    const bool fails = row["status"] == "fail";
+    const bool fails = is_over_budget(row);
     marks += marker(x, worst, look,
                     fmt::format("{}, {}: {}{}", text_of(row, "subject"), text_of(row, "band"),
                                 looks.digits.words(row), fails ? ", over budget" : ""),
@@ -126,7 +126,7 @@ std::map<std::string, std::size_t> looks_of(const Merged& merged) {
 
 Looks::Looks(const Merged& all) : merged(all), digits(all), of(looks_of(all)) {
   for (const Json& row : all.results)
-    if (row["status"] == "fail") wrong.emplace(row["subject"], row["operation"]);
+    if (is_over_budget(row)) wrong.emplace(row["subject"], row["operation"]);
 }
 
 std::string swatch(std::size_t look) {

@@ -21,9 +21,9 @@ struct Looks {
   const Merged& merged;
   Digits digits;
   std::map<std::string, std::size_t> of;
-  std::set<std::pair<std::string, std::string>> wrong;  ///< subject and operation, if a row of them fails
+  std::set<std::pair<std::string, std::string>> wrong;  ///< subject and operation, if a row of them is
   explicit Looks(const Merged& all);
-  /// Whether the operation of a library fails.
+  /// Whether the operation of a library is wrong.
   bool is_wrong(const std::string& operation) const {
     return std::ranges::any_of(wrong, [&](const auto& one) { return one.second == operation; });
   }

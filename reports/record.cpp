@@ -51,6 +51,8 @@ void check_relations(std::string_view file, const Json& record) {
   check_seed(file, "seed", record["seed"]);
   std::set<std::pair<std::string, std::string>> subjects;
   each("subjects", record["subjects"], [&](const std::string& field, const Json& s) {
+    if (const std::string flags = s.value("flags", ""); !properties::is_replay("liecheck replay ID" + flags))
+      refuse(file, field + ".flags", "flags of liecheck replay", flags);
     if (!subjects.emplace(s["name"], s["scalar"]).second)
       refuse(file, field, "each subject and scalar once", s["name"]);
   });

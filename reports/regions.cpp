@@ -25,9 +25,13 @@ bool is_ordinary(const Json& row) {
   return low >= 0.999e-8 || (row["axis"] == "theta" ? high == 0 : low == 0);
 }
 
+bool is_over_budget(const Json& row) {
+  return row["status"] == "fail" || row["status"] == "expected";
+}
+
 std::string outcome_of(const Json& row) {
   if (row["not_finite"] > 0 || row["max_eps"].is_string()) return "NaN or Inf";
-  const bool fails = row["status"] == "fail";
+  const bool fails = is_over_budget(row);
   if (row["wrong_branch"] > 0 || (fails && row["block"] == "sign")) return "wrong branch";
   if (!fails || judged(row) > row["budget"].get<double>()) return "";
   return row["refused"] > 0 ? "refused" : "bad call";
@@ -39,7 +43,10 @@ const char* mark_of(const std::string& outcome) {
 
 double severity(const Json& row) {
   const double lost = judged(row);
-  return (row["status"] == "fail" ? 1e6 : 0) + (row["not_finite"] > 0 || !std::isfinite(lost) ? 3e3 : 0) +
+  return (row["status"] == "fail" ? 1e6
+          : is_over_budget(row)   ? 5e5
+                                  : 0) +
+         (row["not_finite"] > 0 || !std::isfinite(lost) ? 3e3 : 0) +
          (outcome_of(row) == "wrong branch" ? 2e3 : 0) +
          (lost > 1 && std::isfinite(lost) ? std::log10(lost) : 0);
 }
@@ -101,6 +108,11 @@ std::string hard_words(const std::vector<HardCase>& cases, const std::string& su
                      : fmt::format("{} of {} hard cases fail", failed, all);
 }
 
+bool is_wrong_verdict(std::size_t verdict) {
+  const std::string_view name = hard_verdicts.at(verdict);
+  return name != "stable" && name != "refused" && name != "ill-posed";
+}
+
 std::string hard_counts(const std::vector<HardCase>& cases) {
   std::string all;
   for (std::size_t v = 0; v < hard_verdicts.size(); ++v)
@@ -108,7 +120,10 @@ std::string hard_counts(const std::vector<HardCase>& cases) {
       const auto failed =
           std::ranges::count_if(cases, [&](const HardCase& c) { return c.verdict == v && c.failed; });
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", n, hard_verdicts[v]);
-      if (failed > 0 && failed < n) all += fmt::format(" ({} of them permitted or expected)", n - failed);
+      if (failed > 0 && failed < n)
+        all += fmt::format(" ({} of them permitted or expected)", n - failed);
+      else if (failed == 0 && is_wrong_verdict(v))
+        all += " (permitted or expected)";
     }
   return all;
 }

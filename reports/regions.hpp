@@ -28,6 +28,8 @@ std::size_t region_of(const Json& row);
 /// Whether the band of a row has inputs that people meet: angles of 1e-8 to 2 pi that are no closer than 1e-8 to pi, 0, pi, and
 /// inputs without an angle. Findings weigh these first.
 bool is_ordinary(const Json& row);
+/// Whether results are over the budget. What a limits file expects is wrong as well.
+bool is_over_budget(const Json& row);
 
 /// Larger is worse: failing rows first, then by outcome, then by the digits lost.
 double severity(const Json& row);
@@ -70,6 +72,9 @@ std::vector<HardCase> hard_cases(const Merged& merged);
 
 /// "41 of 585 hard cases fail", of one subject or, for "", of all; "" if there are none.
 std::string hard_words(const std::vector<HardCase>& cases, const std::string& subject = "");
+
+/// Whether a result with this verdict would fail without a limit that permits it.
+bool is_wrong_verdict(std::size_t verdict);
 
 /// "938 stable, 76 refused, 188 ill-posed": the known difficult inputs, each in each scalar, by verdict.
 std::string hard_counts(const std::vector<HardCase>& cases);

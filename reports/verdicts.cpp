@@ -214,9 +214,7 @@ std::string near_words(const Looks& looks) {
   for (const Json& row : looks.merged.results) {
     subjects.insert(row["subject"]);
     const std::size_t region = region_of(row);
-    const bool wrong_there =
-        row["status"] == "fail" || row["status"] == "expected";  // a limits file makes nothing right
-    if (!wrong_there || region == 2 || region > 4) continue;
+    if (!is_over_budget(row) || region == 2 || region > 4) continue;
     Wrong& wrong = (region < 2 ? zero : pi)[row["subject"]];
     wrong.all.insert(row["operation"]);
     if (is_ordinary(row)) wrong.ordinary.insert(row["operation"]);

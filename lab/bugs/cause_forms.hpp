@@ -75,7 +75,7 @@ inline V3 vector(const V4& Q) {
   return Q.head<3>();
 }
 
-class Forms {
+class CauseForms {
  public:
   std::vector<Form> all;
 
@@ -109,7 +109,7 @@ inline auto below(double x) {
   return [x](const auto& argument) { return theta_of(argument) < x; };
 }
 
-/// Forms as public libraries have them: cutoffs, thresholds and closed forms.
-void add_styles(Forms& f);
+/// CauseForms as public libraries have them: cutoffs, thresholds and closed forms.
+void add_styles(CauseForms& f);
 
 }  // namespace liecheck::properties

@@ -22,7 +22,7 @@ V4 closed_planar_exp(const V3& delta, double threshold) {
   return {a * delta[0] - b * delta[1], b * delta[0] + a * delta[1], std::cos(t), std::sin(t)};
 }
 
-void add_jacobians(Forms& f) {
+void add_jacobians(CauseForms& f) {
   const auto moderate = [](const V3& phi) { return phi.norm() < 3; };
   for (const double x : {1e-10, 1e-9, 1e-8, 1.5e-7, 1e-5, 1e-4})
     f.add("closed", cancels, x, op::left_jacobian3, moderate,
@@ -48,7 +48,7 @@ void add_jacobians(Forms& f) {
       });
 }
 
-void add_rotations(Forms& f) {
+void add_rotations(CauseForms& f) {
   f.add("two_angle", sign_of_w, 0, op::log3_quaternion, always, [](V3, const V4& Q) -> V3 {
     const double square = vector(Q).squaredNorm();
     if (square <= 2.2e-16) return 2 * vector(Q);  // forgets that w may be negative
@@ -98,7 +98,7 @@ void add_rotations(Forms& f) {
 }
 
 /// Formulas in place of the right ones, and what quaternions and matrices lose near pi.
-void add_wrong_formulas(Forms& f) {
+void add_wrong_formulas(CauseForms& f) {
   f.add("lerp", interpolated, 0, op::slerp, always, [](const V4&, const V4& Q, const V4& P, double t) -> V4 {
     return ((1 - t) * Q + (Q.dot(P) < 0 ? -t : t) * P).normalized();
   });
@@ -146,7 +146,7 @@ std::pair<bool, double> locked(double order, const V3& angles, double x) {
   return {std::fabs(end - b) < x, end};
 }
 
-void add_euler_angles(Forms& f) {
+void add_euler_angles(CauseForms& f) {
   for (const double x : {1e-7, 2e-3})
     f.add(
         "locked_below", at_lock, 0, op::euler_from_quaternion,
@@ -167,7 +167,7 @@ void add_euler_angles(Forms& f) {
 
 }  // namespace
 
-void add_styles(Forms& f) {
+void add_styles(CauseForms& f) {
   add_jacobians(f), add_rotations(f), add_wrong_formulas(f), add_euler_angles(f);
 }
 

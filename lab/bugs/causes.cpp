@@ -13,7 +13,7 @@
 namespace liecheck::properties {
 namespace {
 
-void add_series(Forms& f) {
+void add_series(CauseForms& f) {
   for (const double x : {0.3, 0.1, 0.03, 0.01, 2e-3, 5e-4, 1e-4}) {
     f.add("cutoff", cutoff, x, op::exp3_quaternion, below(x),
           [](V4, const V3& phi) { return quaternion(phi / 2, 1 - phi.squaredNorm() / 8); });
@@ -41,7 +41,7 @@ void add_series(Forms& f) {
   }
 }
 
-void add_cancelling(Forms& f) {
+void add_cancelling(CauseForms& f) {
   for (const double x : {0.0, 1e-7, 1e-6, 1e-5, 1e-4}) {
     const auto above = [x](const V3& phi) { return theta_of(phi) > x && theta_of(phi) < 1; };
     f.add("cancels", cancels, x, op::left_jacobian3, above, [](M3, const V3& phi) -> M3 {
@@ -91,7 +91,7 @@ void add_cancelling(Forms& f) {
       });
 }
 
-void add_branches(Forms& f) {
+void add_branches(CauseForms& f) {
   const auto negative = [](const V4& Q, const auto&...) { return Q[3] < 0; };
   const auto long_way = [](V3, const V4& Q) -> V3 {
     const double s = vector(Q).norm();
@@ -140,7 +140,7 @@ R each(R result, Change change) {
 }
 
 template <class O>
-void add_general(Forms& f, const O& operation) {
+void add_general(CauseForms& f, const O& operation) {
   f.add("float", single, 0, operation, always, [](const auto& r, const auto&...) {
     return each(r, [](double& x, Eigen::Index) { x = oracles::rounded_to_float(x); });
   });
@@ -157,7 +157,7 @@ void add_general(Forms& f, const O& operation) {
   });
 }
 
-void add_conventions(Forms& f) {
+void add_conventions(CauseForms& f) {
   const auto transpose = [](const M3& R, const auto&...) -> M3 { return R.transpose(); };
   f.add("transposed", transposed, 0, op::exp3_matrix, always, transpose);
   f.add("transposed", transposed, 0, op::left_jacobian3, always, transpose);
@@ -194,7 +194,7 @@ void add_conventions(Forms& f) {
 }
 
 std::vector<Form> forms() {
-  Forms f;
+  CauseForms f;
   add_series(f), add_cancelling(f), add_branches(f), add_conventions(f), add_styles(f);
   add_general(f, op::exp3_quaternion), add_general(f, op::exp3_matrix), add_general(f, op::log3_quaternion);
   add_general(f, op::log3_matrix), add_general(f, op::left_jacobian3), add_general(f, op::compose);

@@ -36,8 +36,9 @@ bool refuses(Adapter& adapter, const OperationSizes& o, const ArgumentKinds& kin
   });
 }
 
-std::uint32_t asked_for(Adapter& adapter, const ArgumentKinds& kinds) try {
-  std::uint32_t taken = 0;
+/// The kinds that each operation takes. Empty if a call has no answer.
+std::map<std::string, std::uint32_t> asked_for(Adapter& adapter, const ArgumentKinds& kinds) try {
+  std::map<std::string, std::uint32_t> taken;
   for (const OperationSizes& o : operation_sizes())
     for (const Scalar* scalar : {&oracles::scalar_of<double>, &oracles::scalar_of<float>}) {
       std::size_t first = 0;
@@ -46,25 +47,33 @@ std::uint32_t asked_for(Adapter& adapter, const ArgumentKinds& kinds) try {
         continue;
       scalar->with([&]<class S>() {
         for (int k = 0; k < kinds.count; ++k)
-          if (!refuses<S>(adapter, o, kinds, first, k)) taken |= 1u << k;
+          if (!refuses<S>(adapter, o, kinds, first, k)) taken[std::string(o.operation)] |= 1u << k;
       });
     }
-  return taken ? taken : kinds.every();
+  return taken;
 } catch (const AdapterFailed&) {
-  return kinds.every();
+  return {};
 }
 
 }  // namespace
 
 void ask_for_kinds(Adapter& adapter, Taken& taken) {
-  for (const Bits& b : all_bits) taken.*b.of = asked_for(adapter, b.kinds);
+  for (const Bits& b : all_bits) {
+    const auto all = asked_for(adapter, b.kinds);
+    std::uint32_t together = 0;
+    for (const auto& [operation, bits] : all) together |= bits;
+    for (const auto& [operation, bits] : all)
+      if (bits != together) taken.of_operation[operation] = bits;
+    taken.*b.of = together ? together : b.kinds.every();
+  }
 }
 
 bool lacks_kinds(const Operation& operation, const Taken& taken) {
   std::size_t first = 0;
   const ArgumentKinds* const kinds = argument_kinds(operation, first);
-  return std::ranges::any_of(
-      all_bits, [&](const Bits& b) { return kinds == &b.kinds && taken.*b.of != kinds->every(); });
+  return taken.of_operation.contains(operation.name) || std::ranges::any_of(all_bits, [&](const Bits& b) {
+           return kinds == &b.kinds && taken.*b.of != kinds->every();
+         });
 }
 
 void check_kinds(const Operation& operation, const Taken& taken, std::span<const double> arguments) {
@@ -73,7 +82,8 @@ void check_kinds(const Operation& operation, const Taken& taken, std::span<const
   for (const Bits& b : all_bits) {
     if (kinds != &b.kinds) continue;
     const int kind = kinds->kind(arguments.subspan(first));
-    if (kind >= 0 && !(taken.*b.of >> kind & 1))
+    const auto own = taken.of_operation.find(operation.name);
+    if (kind >= 0 && !((own == taken.of_operation.end() ? taken.*b.of : own->second) >> kind & 1))
       throw CallFailed(fmt::format("the library refuses every {} of this kind", kinds->part), operation.name,
                        Outcome::outside_domain);
   }

@@ -262,7 +262,7 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
         "\nNOT MEASURED  the functions of {} on trees, which it takes from URDFs only: "
         "give one with --robot\n",
         name);
-  const std::string differences = printable_lines(text_of(differ, r.wrong_calls));
+  const std::string differences = printable_lines(text_of(differ, r.wrong_calls, f.verbose));
   fmt::print("{}", differences);
   if (many > 0 || !differences.empty()) say("\n");
   if (f.verbose) print_details(r, hard_cases, f);

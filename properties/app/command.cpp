@@ -147,13 +147,14 @@ std::vector<std::string> AdapterFlags::outside(const Robot& robot) const {
   return all;
 }
 
-std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls) {
+std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls, bool verbose) {
   std::string text;
   for (const WrongCall& call : wrong_calls)
     text += fmt::format("\nWRONG  {}: {}\n", call.subject, call.sentence);
   for (const std::string& sentence : found.conventions) text += fmt::format("\nNOT JUDGED  {}\n", sentence);
-  for (const auto* sentences : {&found.choices, &found.outside})
-    for (const std::string& sentence : *sentences) text += fmt::format("\nremark  {}\n", sentence);
+  std::vector<std::string> remarks = verbose ? found.choices : std::vector<std::string>();
+  remarks.insert(remarks.end(), found.outside.begin(), found.outside.end());
+  for (const std::string& sentence : remarks) text += fmt::format("\nremark  {}\n", sentence);
   return text;
 }
 

@@ -151,8 +151,8 @@ struct Differences {
   std::vector<std::string> outside = {};  ///< what the adapter lacks, and what is therefore not judged
   std::vector<ProbedOperation> probed = {};  ///< those in another convention, and the wrong ones
 };
-/// What is wrong, and what is not judged, and the remarks: an empty line before each.
-std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls);
+/// What is wrong, and what is not judged, and the remarks, those on choices if `verbose`: an empty line before each.
+std::string text_of(const Differences& found, const std::vector<WrongCall>& wrong_calls, bool verbose);
 
 /// --adapter, which may be repeated.
 struct AdapterFlags {

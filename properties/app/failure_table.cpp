@@ -53,20 +53,37 @@ void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
   }
 }
 
-/// The lines of a limits file that expect the failures of a block: all of its inputs, or intervals of the angle.
-std::vector<std::string> accepting(const FailedBlock& f) {
-  const auto& bands = f.worst->series->bands().all();
-  std::vector<bool> bad(bands.size());
-  for (const BandOf& b : f.bands)
-    if (fails(*b.series, {int(b.output), int(b.band)}, *b.row)) bad[b.band] = true;
-  std::vector<std::string> inputs;
-  for (const auto& [first, last] : runs_of(bands, bad)) {
-    const auto more = inputs_of(bands, first, last);
-    inputs.insert(inputs.end(), more.begin(), more.end());
+/// The lines of a limits file that expect the failures of a finding and of its hard cases: all inputs of a block, or intervals of
+/// the angle.
+std::vector<std::string> accepting(const Finding& finding) {
+  using Block = std::tuple<std::string_view, std::string_view, const Bands*>;
+  std::vector<std::pair<Block, std::vector<bool>>> all;  // whether each band fails
+  const auto add = [&](const Block& block, std::size_t band) {
+    auto at = std::ranges::find(all, block, [](const auto& one) { return one.first; });
+    if (at == all.end())
+      at = all.insert(at, {block, std::vector<bool>(std::get<const Bands*>(block)->all().size())});
+    at->second[band] = true;
+  };
+  for (const auto* blocks : {&finding.own, &finding.others})
+    for (const FailedBlock* f : *blocks)
+      for (const BandOf& b : f->bands)
+        if (fails(*b.series, {int(b.output), int(b.band)}, *b.row))
+          add({f->operation, f->block, &b.series->bands()}, b.band);
+  for (const HardCell* cell : finding.hard_cells)
+    for (const FailedPlace& p : cell->failing) add({p.operation, p.block, p.bands}, p.band);
+  std::vector<std::string> lines;
+  for (const auto& [block, bad] : all) {
+    const auto& [operation, name, bands] = block;
+    std::vector<std::string> inputs;
+    for (const auto& [first, last] : runs_of(bands->all(), bad)) {
+      const auto more = inputs_of(bands->all(), first, last);
+      inputs.insert(inputs.end(), more.begin(), more.end());
+    }
+    if (bad[0]) inputs = {"any"};
+    for (const std::string& text : inputs)
+      lines.push_back(fmt::format("{}, {}, {} = WHY, LINK", operation, name, text));
   }
-  if (bad[0]) inputs = {"any"};
-  for (std::string& text : inputs) text = fmt::format("{}, {}, {} = WHY, LINK", f.operation, f.block, text);
-  return inputs;
+  return lines;
 }
 
 void print_in_full(const CampaignResult& r, const FailedBlock& f) {
@@ -109,10 +126,8 @@ void print_how_to_accept(const ToldFindings& told, bool all) {
   std::string by_finding;
   for (const Finding& finding : told.findings) {
     std::string of_finding;
-    for (const auto* blocks : {&finding.own, &finding.others})
-      for (const FailedBlock* f : *blocks)
-        for (const std::string& line : accepting(*f))
-          if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line), of_finding += line + "\n";
+    for (const std::string& line : accepting(finding))
+      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line), of_finding += line + "\n";
     if (!of_finding.empty())
       by_finding += fmt::format("# finding {}, {}\n{}", &finding - told.findings.data() + 1,
                                 finding.operation, of_finding);

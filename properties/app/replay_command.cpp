@@ -78,7 +78,9 @@ int run(const ReplayFlags& f) {
       series->equation, series->subject, series->subject_version, series->scalar,
       input_text(*series, trial.input));
   bool failed = false, open = false, decided = false;
-  if (!trial.refusal.empty()) say("refused: {}\n", trial.refusal);
+  const bool answered = std::ranges::any_of(
+      trial.judged, [](const Judged& j) { return j.residual.outcome == Outcome::wrong_branch; });
+  if (!trial.refusal.empty()) say("{}: {}\n", answered ? "not as stated" : "refused", trial.refusal);
   for (const Judged& j : trial.judged) {
     open = open || leaves_open(j.residual.outcome);
     decided = decided || !j.ill_posed;

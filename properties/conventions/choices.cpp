@@ -304,9 +304,9 @@ std::vector<Finding> choices_made(const std::vector<Probed>& all,
     findings.push_back(
         {false,
          differ ? fmt::format("choice \"{}\": {}; all are right", c.name, fmt::join(each, ", "))
-                : fmt::format(
-                      "choice \"{}\": \"{}\" in {}, which is right; an adapter that states it is held to it",
-                      c.name, value, fmt::join(decided, ", ")),
+                : fmt::format("choice \"{}\": \"{}\" in {}; all choices are right, and an adapter that "
+                              "states one is held to it",
+                              c.name, value, fmt::join(decided, ", ")),
          decided, true,
          (!differ || common.front() != free_choice) && (value == c.values.front() || value == free_choice)});
   }

@@ -295,7 +295,10 @@ std::vector<Finding> explain(const std::vector<Probed>& all) {
       if (as_good && search.contradicting(d, by_d).size() <= others.size())
         sentence += fmt::format(", or {}", conventions()[d].meaning), several = true;
     }
-    if (several) sentence += " (these operations do not tell which)";
+    if (several)
+      sentence += " (these operations do not tell which)";
+    else if (conventions()[c].side != Side::both)
+      sentence += ",";  // behind "but only as results"
     sentence += " in " + listed(names(those));
     if (!others.empty()) sentence += ", but not in " + listed(names(others));
     sentence += fmt::format(": {}", conventions()[c].advice);

@@ -156,7 +156,7 @@ const std::vector<Convention>& conventions() {
       for (const Side side : {Side::arguments, Side::result})
         if (list[c].decode) {
           const char* const where =
-              side == Side::result ? ", but only as results," : ", but only as arguments,";
+              side == Side::result ? ", but only as results" : ", but only as arguments";
           list.push_back({list[c].meaning + where, list[c].advice, list[c].decode});
           list.back().side = side;
         }

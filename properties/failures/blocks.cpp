@@ -170,7 +170,8 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
       const auto output = static_cast<std::size_t>(cell.first), band = static_cast<std::size_t>(cell.second);
       const Output& o = series->outputs.at(output);
       FailedBlock& f = all[{series->subject, series->scalar, std::string(o.operation), std::string(o.block)}];
-      f.bands.push_back({series.get(), output, band, &row, fails(*series, cell, row)});
+      const bool unexpected = fails(*series, cell, row);
+      f.bands.push_back({series.get(), output, band, &row, unexpected, row.failed > 0 && !unexpected});
     }
   std::vector<FailedBlock> failed;
   for (auto& [key, f] : all) {
@@ -182,6 +183,20 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
   std::ranges::stable_sort(failed, std::greater(),
                            [](const FailedBlock& f) { return std::pair(badness(*f.worst).first, f.score); });
   return failed;
+}
+
+double ordinary_loss(const FailedBlock& f) {
+  double failed = 0, cases = 0, digits = 0;
+  const double eps = f.worst->series->eps;
+  for (const BandOf& b : f.bands) {
+    if (!is_ordinary(b.series->bands()[b.band])) continue;
+    cases += static_cast<double>(b.row->inside());
+    if (!b.fails) continue;
+    failed += static_cast<double>(b.row->failed);
+    const double score = std::clamp(b.row->worst_score, 1.0, 1 / eps);
+    digits = std::max(digits, std::log(score) / -std::log(eps));
+  }
+  return cases > 0 ? failed / cases * digits : 0;
 }
 
 std::string what_of(const FailedBlock& f) {

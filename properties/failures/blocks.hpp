@@ -10,7 +10,8 @@ struct BandOf {
   const Series* series;
   std::size_t output, band;
   const Row* row;
-  bool fails;  ///< beyond what a limits file expects
+  bool fails;             ///< beyond what a limits file expects
+  bool expected = false;  ///< as a limits file expects
 };
 
 /// One block of one operation of a subject in a scalar, of all laws that measure it.
@@ -48,6 +49,9 @@ std::string outcomes_of(const Row& row);
 /// The worst outcome of a row without an error in eps; "" if there is none. NaN or Inf counts only where it is three quarters of
 /// the failures, unless `even_if_rare`: the others have an error, by which most readers will meet the fault.
 std::string worst_outcome(const Row& row, bool even_if_rare = false);
+
+/// The share of ordinary inputs that fail, times the share of digits that they lose.
+double ordinary_loss(const FailedBlock& failed);
 
 /// What happened: "NaN or Inf" or "7.4 of 15.7 digits lost".
 std::string what_of(const FailedBlock& failed);

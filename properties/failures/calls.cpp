@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <campaign/series.hpp>
+#include <cmath>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
 #include <invariants/property.hpp>
@@ -117,15 +118,34 @@ NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
   return noted_in(series, raw, output);
 }
 
+namespace {
+CaseId sampled_case(const Series& series, std::uint64_t index) {
+  constexpr std::uint64_t any_seed = 42;
+  return series.id(any_seed, index);
+}
+}  // namespace
+
+bool are_unique(const std::vector<double>& angles, const oracles::Order& order) {
+  return std::fabs(order.axes[0] == order.axes[2] ? std::sin(angles[1]) : std::cos(angles[1])) > 0.1;
+}
+
+bool case_fails(const Series& series, std::uint64_t index, const Operation& operation) try {
+  const auto judged = series.measure(series.numbers(sampled_case(series, index)));
+  return std::ranges::any_of(judged, [&](const Judged& j) {
+    return j.failed && series.outputs.at(static_cast<std::size_t>(j.residual.output)).record == &operation;
+  });
+} catch (const GivenUp&) {  // a signal ended a call
+  return false;
+}
+
 std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output, std::uint64_t from,
                                      std::uint64_t to) {
-  constexpr std::uint64_t any_seed = 42;
   std::vector<NotedCall> all;
   try {
     for (std::uint64_t i = from; i < to && !stop_requested; ++i)
-      for (NotedCall& call : noted(series, series.id(any_seed, i), output).calls)
+      for (NotedCall& call : noted(series, sampled_case(series, i), output).calls)
         if (call.operation == series.outputs.at(output).record && call.thrown.empty() && !call.result.empty())
-          all.push_back(std::move(call));
+          call.index = i, all.push_back(std::move(call));
   } catch (const GivenUp&) {  // a signal ended a call
   }
   return all;

@@ -2,6 +2,7 @@
 // The calls of the subject in one case: what was given, and what was returned.
 
 #include <campaign/series.hpp>
+#include <oracles/orientations.hpp>
 #include <oracles/real.hpp>
 #include <string>
 #include <vector>
@@ -12,8 +13,9 @@ namespace liecheck::properties {
 struct NotedCall {
   const Operation* operation;
   std::vector<double> arguments, result;
-  std::string thrown;     ///< the message of what the call threw, or ""
-  std::string seen = {};  ///< the reference frame that was asked for, or ""
+  std::string thrown;       ///< the message of what the call threw, or ""
+  std::string seen = {};    ///< the reference frame that was asked for, or ""
+  std::uint64_t index = 0;  ///< of the case, if the call is one of sampled_calls()
 };
 
 /// What a law compared for one output, where it is no result of a call that `expected_of` knows: exact numbers.
@@ -39,6 +41,13 @@ NotedCase noted(const Series& series, const CaseId& id, std::size_t output);
 /// The calls of an output's operation that returned, in some cases of a seed that is the same in every campaign.
 std::vector<NotedCall> sampled_calls(const Series& series, std::size_t output, std::uint64_t from = 0,
                                      std::uint64_t to = 300);
+
+/// Whether Euler angles are unique, so that they can be compared: a tenth or more from gimbal lock.
+bool are_unique(const std::vector<double>& angles, const oracles::Order& order);
+
+/// Whether such a case fails in a block of an operation. A result that is not the oracle's may be another right one, as the
+/// opposite axis with the opposite angle is.
+bool case_fails(const Series& series, std::uint64_t index, const Operation& operation);
 
 /// The result of a call from the oracle at 50 digits; empty if there is none, as for an algorithm on a tree.
 std::vector<oracles::Real> expected_of(const NotedCall& call);

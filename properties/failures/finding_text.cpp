@@ -57,9 +57,17 @@ std::string other_than_the_worst(const FailedBlock& f, const Shrunk& example) {
   return lost.empty() || (10 * score > told && score < 10 * told) ? "" : ": " + lost;
 }
 
-/// The call that shows a failure, what is wrong with its result, and how to repeat it. `alone`: the result fails in no other
-/// block, so that the digits which this one loses are those of the number that is shown.
-std::string example_of(const FailedBlock& f, const CampaignResult& campaign, bool alone) try {
+/// Whether a result fails in no other block, so that the digits which this one loses are those of the number that is shown.
+bool fails_alone(const Series& series, std::size_t output, const Shrunk& example) {
+  const Output& shown = series.outputs.at(output);
+  return std::ranges::none_of(series.measure(series.numbers(example.id)), [&](const Judged& j) {
+    const Output& o = series.outputs.at(static_cast<std::size_t>(j.residual.output));
+    return j.failed && o.operation == shown.operation && o.block != shown.block;
+  });
+}
+
+/// The call that shows a failure, what is wrong with its result, and how to repeat it.
+std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try {
   const BandOf& w = *f.worst;
   const Series& series = *w.series;
   const auto output = static_cast<int>(w.output);
@@ -82,7 +90,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign, boo
   else if (const std::string number =
                f.block == "sign" || !s->reproduced ? "" : worst_number_text(series, of, all);
            !number.empty())
-    text += fmt::format("            {}{}\n", number, alone ? other_than_the_worst(f, *s) : "");
+    text += fmt::format("            {}{}\n", number,
+                        fails_alone(series, w.output, *s) ? other_than_the_worst(f, *s) : "");
   else if (call && !call->thrown.empty())
     text += fmt::format("            {}\n", printable(call->thrown));
   text += program_of_template(series, of, all);
@@ -97,7 +106,7 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign, boo
 std::string domain_of(const FailedBlock& f) {
   bool huge = true, tiny = true;
   for (const BandOf& b : f.bands) {
-    if (!b.fails) continue;
+    if (!b.fails && !b.expected) continue;
     const Band& band = b.series->bands()[b.band];
     huge = huge && band.axis == Axis::none && band.region == Region::beyond_pi && band.low >= 10;
     tiny = tiny && band.axis == Axis::theta && band.low > 0 && band.high < 2e-100;
@@ -142,27 +151,36 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
                        entry.reason, replay_words(cell.id.text(), cell.flags));
   }
   const FailedBlock& first = *finding.own.front();
+  const SecondWays second = second_ways(finding, campaign);
+  std::vector<const FailedBlock*> own = finding.own;
+  std::erase_if(own, [&](const FailedBlock* f) {
+    return f->operation == finding.operation && second.apart.contains(f->block);
+  });
   std::vector<std::string> blocks, others;
-  for (const FailedBlock* f : finding.own)
+  for (const FailedBlock* f : own)
     if (f->operation == finding.operation) add_once(blocks, f->block);
   for (const FailedBlock* f : finding.others)
     if (f->operation != finding.operation) add_once(others, f->operation);
   for (const std::string& operation : finding.partly)
     if (operation != finding.operation) add_once(others, operation);
-  std::string text = fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "),
-                                 how_bad(finding.own));
+  std::string text =
+      fmt::format("{}  {} ({}): {}\n", number, finding.operation, fmt::join(blocks, ", "), how_bad(own));
   text += fmt::format("   where    {}{}\n", where_and_how_often(first, campaign),
-                      finding.ordinary > 0 ? "" : "; all angles from 1e-8 to pi - 1e-8 pass");
+                      finding.ordinary > 0 ? ""
+                      : std::ranges::any_of(first.bands, &BandOf::expected)
+                          ? "; other angles fail as the limits file expects"
+                          : "; all angles from 1e-8 to pi - 1e-8 pass");
   if (const std::string domain = domain_of(first); !domain.empty())
     text += fmt::format("   domain   a limits file leaves such angles out by \"{}, {}\" below [domain]\n",
                         others.empty() ? finding.operation : "*", domain);
   // That of the first block whose errors tell one. A jump tells least, since few angles are tried.
   std::string guess;
   for (const bool of_jumps : {false, true})
-    for (const FailedBlock* f : finding.own)
+    for (const FailedBlock* f : own)
       if (guess.empty() && f->operation == first.operation && f->scalar == first.scalar &&
           (f->block == "jump") == of_jumps)
-        guess = guess_of(*f);
+        if (guess = guess_of(*f); !guess.empty() && f->block != first.block && !of_jumps)
+          guess = f->block + ": " + guess;
   if (guess.empty() && !finding.used.empty())
     guess = fmt::format("it uses {}, which {} above", fmt::join(finding.used, ", "),
                         finding.used.size() == 1 ? "fails" : "fail");
@@ -174,7 +192,7 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
   if (!others.empty())
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
                         others.size() == 1 ? "fails" : "fail");
-  text += example_of(first, campaign, blocks.size() == 1) + second_ways(finding, campaign);
+  text += example_of(first, campaign) + second.text;
   if (!finding.hard_rows.empty())
     text += fmt::format("   hard     {} hard case{} of these operations {}: {}{}\n", finding.hard_rows.size(),
                         finding.hard_rows.size() == 1 ? "" : "s",

@@ -27,21 +27,6 @@ struct Group {
 };
 using BlockKey = std::tuple<std::string, std::string, std::string>;  ///< subject, operation, block
 
-/// The share of ordinary inputs that fail, times the share of digits that they lose.
-double ordinary_loss(const FailedBlock& f) {
-  double failed = 0, cases = 0, digits = 0;
-  const double eps = f.worst->series->eps;
-  for (const BandOf& b : f.bands) {
-    if (!is_ordinary(b.series->bands()[b.band])) continue;
-    cases += static_cast<double>(b.row->inside());
-    if (!b.fails) continue;
-    failed += static_cast<double>(b.row->failed);
-    const double score = std::clamp(b.row->worst_score, 1.0, 1 / eps);
-    digits = std::max(digits, std::log(score) / -std::log(eps));
-  }
-  return cases > 0 ? failed / cases * digits : 0;
-}
-
 /// Whether a band of ordinary angles fails.
 bool fails_ordinarily(const BandOf& b) {
   return b.fails && is_ordinary(b.series->bands()[b.band]);
@@ -233,8 +218,8 @@ class Groups {
   /// the cause passes, or has an outcome that the cause has not.
   void find_bands_beside_causes() {
     using Outcomes = std::array<std::uint64_t, 4>;
-    const auto outcomes_of = [](const Row& r) {
-      return Outcomes{r.crashed, r.not_finite, r.wrong_branch, r.refused};
+    const auto outcomes_of = [](const Row& r) -> Outcomes {
+      return {r.crashed, r.not_finite, r.wrong_branch, r.refused};
     };
     for (Group& g : groups_) {
       if (!g.cause) continue;
@@ -255,11 +240,15 @@ class Groups {
           const auto& [failed, outcomes] = of_cause[{f->scalar, b.band}];
           const Outcomes own = outcomes_of(*b.row);
           bool other = false;
-          for (std::size_t i = 0; i < own.size(); ++i) other = other || (own[i] > 0 && outcomes[i] == 0);
+          for (std::size_t i = 0; i < own.size(); ++i) other |= own[i] > 0 && outcomes[i] == 0;
           if (!other && (failed > 0 || b.row->worst_score < 1e4)) continue;
           auto parts = causes_in(b, seed_, wrong_[f->subject]);
           if (parts && other) std::erase(*parts, f->operation);
           if (parts && parts->empty()) (other ? outcome : digits).bands.insert(b.band);
+          if (parts && std::ranges::find(*parts, std::get<1>(keys_[*g.cause])) == parts->end())
+            for (std::size_t k = 0; k < groups_.size(); ++k)  // which have another cause
+              if (std::get<0>(keys_[k]) == f->subject && std::ranges::count(*parts, std::get<1>(keys_[k])))
+                g.of_bands.insert(k);
         }
         for (const Beside& one : {digits, outcome}) g.beside.push_back(one);
       }

@@ -185,7 +185,8 @@ std::string comparison_text(const Series& series, const Output& output, const No
   for (const NotedCall* call : shown(output, noted)) {
     if (noted.compared.exact.empty() || !call->thrown.empty()) text += call_text(series, *call, given);
     if (!call->thrown.empty()) {
-      text += fmt::format("    threw     {}\n", printable(call->thrown));
+      const bool answered = call->thrown.starts_with("the adapter states");  // and with another choice
+      text += fmt::format("    {}     {}\n", answered ? "but  " : "threw", printable(call->thrown));
       continue;
     }
     const std::vector<Real> exact = expected_of(*call);
@@ -318,10 +319,10 @@ NumberPair in_own_order(const Series& series, std::string_view operation, Number
 
 }  // namespace
 
-Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
-                         std::size_t most) {
+ComparedResult comparison_of(const Series& series, const Output& output, const NotedCase& noted,
+                             std::size_t most) {
   auto [operation, pairs] = compared(output, noted);
-  Comparison all{operation, {}};
+  ComparedResult all{operation, {}};
   pairs.resize(std::min(pairs.size(), most));
   for (const NumberPair& p : pairs)
     all.numbers.push_back({p.name,

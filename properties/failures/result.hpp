@@ -35,12 +35,12 @@ struct ComparedNumber {
 };
 
 /// The numbers of one result that differ most from the oracle's, at most `most`.
-struct Comparison {
+struct ComparedResult {
   std::string operation;  ///< whose result it is; empty if the case has no result that the oracle knows
   std::vector<ComparedNumber> numbers;
 };
-Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
-                         std::size_t most);
+ComparedResult comparison_of(const Series& series, const Output& output, const NotedCase& noted,
+                             std::size_t most);
 
 /// "phi[0] is 1, and -1 is right", of the number that differs most; "" if the oracle does not know the result.
 std::string worst_number_text(const Series& series, const Output& output, const NotedCase& noted);

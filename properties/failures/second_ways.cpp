@@ -32,17 +32,35 @@ bool is_huge(const BandOf& b) {
   return band.region == Region::beyond_pi && band.low >= 100;
 }
 
-/// The bands of another block of an operation in which far more cases fail than in `first`.
-FailedBlock beside_another(const FailedBlock& f, const FailedBlock& first) {
+/// Whether the worst case of a band, without an outcome in place of an error, passes in another block, which loses a tenth of the
+/// error there at most. False if its law does not measure that block.
+bool passes_in(const FailedBlock& other, const BandOf& b, std::uint64_t seed) try {
+  if (!b.fails || !worst_outcome(*b.row).empty() || stop_requested) return false;
+  const auto judged = b.series->measure(b.series->numbers(b.series->id(seed, b.row->worst_index)));
+  const double error = std::min(b.row->worst_score, 1 / b.series->eps);
+  return std::ranges::any_of(judged, [&](const Judged& j) {
+    const Output& o = b.series->outputs.at(static_cast<std::size_t>(j.residual.output));
+    return o.operation == other.operation && o.block == other.block && !j.failed &&
+           j.residual.outcome == Outcome::measured && 10 * score_of(*b.series, j) < error;
+  });
+} catch (const GivenUp&) {
+  return false;
+}
+
+/// The bands of another block of an operation of which the cause of `first` explains nothing: far more cases fail there, or the
+/// worst one passes in `first`.
+FailedBlock beside_another(const FailedBlock& f, const FailedBlock& first, std::uint64_t seed) {
   std::map<std::size_t, std::uint64_t> failed;
   for (const BandOf& b : first.bands) failed[b.band] += b.row->failed;
-  return part_of(f, [&](const BandOf& b) { return b.fails && b.row->failed > 2 * failed[b.band] + least; });
+  return part_of(f, [&](const BandOf& b) {
+    return b.fails && (b.row->failed > 2 * failed[b.band] + least || passes_in(first, b, seed));
+  });
 }
 
 /// The lines of a part, with an example; "" if no input fails alone.
 std::string lines_of(const FailedBlock& part, const std::string& name, bool of_outcome,
                      const CampaignResult& campaign) try {
-  if (!part.worst || part.failed < least || part.block == "sign") return "";
+  if (!part.worst || part.block == "sign") return "";
   // The outcome of a band may be rarer than its errors, so the example is of the band in which it is most frequent.
   const BandOf* most = part.worst;
   for (const BandOf& b : part.bands)
@@ -78,17 +96,22 @@ std::string lines_of(const FailedBlock& part, const std::string& name, bool of_o
 
 }  // namespace
 
-std::string second_ways(const Finding& finding, const CampaignResult& campaign) {
+SecondWays second_ways(const Finding& finding, const CampaignResult& campaign) {
   const FailedBlock& first = *finding.own.front();
-  std::vector<std::string> all, named;
+  SecondWays ways;
+  std::vector<std::string> named;
   const auto add = [&](const FailedBlock& part, const std::string& name, bool of_outcome = false) {
-    if (std::ranges::find(named, name) != named.end() || all.size() >= most_lines) return;
-    if (std::string lines = lines_of(part, name.empty() ? "" : name + ": ", of_outcome, campaign);
-        !lines.empty())
-      all.push_back(lines), named.push_back(name);
+    if (std::ranges::find(named, name) != named.end() || named.size() >= most_lines) return false;
+    const std::string lines = lines_of(part, name.empty() ? "" : name + ": ", of_outcome, campaign);
+    if (lines.empty()) return false;
+    ways.text += lines, named.push_back(name);
+    return true;
   };
-  if (first.worst->band > 0)
-    add(part_of(first, [&](const BandOf& b) { return fails_otherwise(first, b); }), "");
+  const bool has_error = worst_outcome(*first.worst->row).empty();
+  if (first.worst->band > 0 &&
+      !add(part_of(first, [&](const BandOf& b) { return fails_otherwise(first, b); }), ""))
+    add(part_of(first, [&](const BandOf& b) { return b.fails && has_error && b.row->not_finite > 0; }), "",
+        true);
   // Formulas that cancel at small angles do so at huge ones for another reason.
   const bool between = std::ranges::any_of(first.bands, [](const BandOf& b) {
     return b.fails && b.series->bands()[b.band].axis != Axis::theta && !is_huge(b);
@@ -97,17 +120,21 @@ std::string second_ways(const Finding& finding, const CampaignResult& campaign) 
       first.bands, [](const BandOf& b) { return b.fails && b.series->bands()[b.band].axis == Axis::theta; });
   if (small && !between)
     add(part_of(first, [](const BandOf& b) { return b.fails && is_huge(b); }), "at other angles");
-  for (const FailedBlock* f : finding.own)
-    if (f->operation == first.operation && f->scalar == first.scalar && f->block != first.block &&
-        f->block != "jump" && !f->block.ends_with("defect"))
-      add(beside_another(*f, first), f->block);
+  const auto count = [](const FailedBlock& f) {
+    return std::ranges::count_if(f.bands, [](const BandOf& b) { return b.band > 0 && b.fails; });
+  };
+  for (const FailedBlock* f : finding.own) {
+    if (f->operation != first.operation || f->scalar != first.scalar || f->block == first.block ||
+        f->block == "jump")
+      continue;
+    const FailedBlock part = beside_another(*f, first, campaign.options.seed);
+    if (add(part, f->block) && count(part) == count(*f)) ways.apart.insert(f->block);
+  }
   for (const Beside& beside : finding.beside)
     if (beside.block->scalar == first.scalar)
       add(part_of(*beside.block, [&](const BandOf& b) { return beside.bands.contains(b.band); }),
           beside.block->operation, beside.of_outcome);
-  std::string text;
-  for (const std::string& lines : all) text += lines;
-  return text;
+  return ways;
 }
 
 }  // namespace liecheck::properties

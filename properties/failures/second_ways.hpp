@@ -5,9 +5,14 @@
 
 namespace liecheck::properties {
 
-/// Up to three lines "also ...", each with an example: bands in which the first block fails with another outcome, or at huge
-/// angles beside small ones; bands in which another block of the operation fails and the first does not; and outcomes of
-/// other operations that the one which is their cause does not have in the same bands, or bands in which it passes.
-std::string second_ways(const Finding& finding, const CampaignResult& campaign);
+struct SecondWays {
+  std::string text;             ///< up to three lines "also ...", each with an example
+  std::set<std::string> apart;  ///< blocks of the operation of whose failures such a line tells all
+};
+
+/// Bands in which the first block fails with another outcome, or at huge angles beside small ones; bands in which another block
+/// of the operation fails and the first does not, or passes in that one's worst case; and outcomes of other operations that the
+/// one which is their cause does not have in the same bands, or bands in which it passes.
+SecondWays second_ways(const Finding& finding, const CampaignResult& campaign);
 
 }  // namespace liecheck::properties

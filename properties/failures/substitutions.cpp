@@ -8,7 +8,6 @@
 #include <conventions/values.hpp>
 #include <failures/part_changes.hpp>
 #include <failures/relations.hpp>
-#include <functional>
 #include <invariants/tree_laws.hpp>
 #include <iterator>
 #include <numbers>
@@ -231,11 +230,6 @@ std::string factor_of(const Wrong& wrong) {
   return "";
 }
 
-/// Whether Euler angles are unique, so that they can be compared: a tenth or more from gimbal lock.
-bool are_unique(const Numbers& angles, int number) {
-  const oracles::Order order(number);
-  return std::fabs(order.axes[0] == order.axes[2] ? std::sin(angles[1]) : std::cos(angles[1])) > 0.1;
-}
 std::vector<PartPlace> places_of_arguments(const Operation& operation) {
   return places_of({operation.arguments.begin(), operation.arguments.size()});
 }
@@ -253,11 +247,15 @@ std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output) {
       Numbers right;
       for (const oracles::Real& x : expected_of(call)) right.push_back(static_cast<double>(x));
       if (right.size() != call.result.size()) continue;
-      if (operation.name.starts_with("euler_from") && !are_unique(right, static_cast<int>(call.arguments[0])))
+      if (operation.name.starts_with("euler_from") &&
+          !are_unique(right, oracles::Order(static_cast<int>(call.arguments[0]))))
         continue;
       call.result = in_blocks(operation, call.result);
       all.push_back({std::move(call), in_blocks(operation, right)});
-      if ((wrong += Wrong(operation, {all.back()}, 1e-6).count()) == enough) return all;
+      if (Wrong(operation, {all.back()}, 1e-6).count() == 0) continue;
+      const bool fails = case_fails(series, all.back().call.index, operation);
+      if (fails && ++wrong == enough) return all;
+      if (!fails) all.pop_back();
     }
   return all;
 }

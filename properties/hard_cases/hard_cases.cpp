@@ -70,6 +70,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
     const double score = figure == 0 ? 0 : figure / j.budget->limit;
     const bool failed = fails(series, j);
     cell.failed = cell.failed || failed;
+    if (failed) cell.failing.push_back({output.operation, output.block, &series.bands(), j.residual.band});
     cell.open = cell.open || leaves_open(j.residual.outcome);
     if (std::tuple(failed, verdict, score) <= worst) continue;
     worst = {failed, verdict, score};

@@ -23,6 +23,13 @@ const char* name_of(Verdict v);
 /// One letter, for tables: S, R, P, M, U, I, B, N, C.
 char letter_of(Verdict v);
 
+/// A block that fails in a case.
+struct FailedPlace {
+  std::string_view operation, block;
+  const Bands* bands;
+  std::size_t band;
+};
+
 /// One hard case on one subject in one scalar.
 struct HardCell {
   std::string subject, scalar;
@@ -35,7 +42,8 @@ struct HardCell {
   double error = 0, kappa = 0;         ///< [eps], [1]; kappa is 0 if it was not computed
   double budget = 0;                   ///< eps, or eps kappa under the excess rule
   bool excess = false;
-  std::string refusal;  ///< the error's text
+  std::string refusal;               ///< the error's text
+  std::vector<FailedPlace> failing;  ///< all blocks that set `failed`
   CaseId id;
   std::string flags;  ///< subject_flags(), for a replay
 };

@@ -106,13 +106,15 @@ class EulerAngles final : public SlowLaw<EulerAngles> {
     return all;
   }();
   /// Orders that an adapter refuses at every probe are outside its domain. What it refuses in another order, such as angles
-  /// near gimbal lock, is a rotation that it must answer.
+  /// near gimbal lock, is a rotation that it must answer. A range other than the one that it states is a wrong branch.
   template <class F>
   static void unless_refused(Recorder& r, const TwoOutputs& outputs, F measured) {
     try {
       measured();
     } catch (const CallFailed& e) {
-      if (e.outcome != Outcome::refused && e.outcome != Outcome::outside_domain) throw;
+      if (e.outcome != Outcome::refused && e.outcome != Outcome::outside_domain &&
+          e.outcome != Outcome::wrong_branch)
+        throw;
       for (const Output& output : outputs) r.outcome(output, 0, e.outcome);
     }
   }

@@ -167,7 +167,7 @@ class TreeDynamics {
  private:
   const TreeOf<T>& tree_;
   std::shared_ptr<const TreePoses<T>> poses_;
-  const Numbers &v_, &a_, &da_;
+  Numbers v_, a_, da_;  ///< copies, since an argument may be a temporary
   MotionOf<T> at_, change_;  ///< change_.X and columns_change_ are empty if dq is zero
   std::vector<ColumnOf<T>> columns_change_;
 

@@ -200,6 +200,7 @@ json subjects_record(const CampaignResult& r) {
                    {"profile", name_of(offered.series->profile)},
                    {"limits", offered.series->own ? offered.series->own->file : ""},
                    {"limits_hash", offered.series->own ? hash_of(*offered.series->own) : ""},
+                   {"flags", subject_flags(*offered.series)},
                    {"not_offered", not_offered}});
   }
   return all;

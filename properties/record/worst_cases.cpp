@@ -46,7 +46,7 @@ json rounded_error(double error) {
 void add_compared_numbers(json& record, const CampaignResult& campaign,
                           const std::vector<std::size_t>& rows) {
   const std::vector<Place> places = places_of(campaign);
-  std::vector<Comparison> found(rows.size());
+  std::vector<ComparedResult> found(rows.size());
   std::atomic<std::size_t> next{0};
   Steps steps("numbers of the worst cases", rows.size());
   run_on_threads(std::max(campaign.options.jobs, 1u), stop_requested, [&] {

@@ -381,7 +381,7 @@ class ConditionSearch {
   }
 
   const Series& series_;
-  Trial trial_;
+  TrialOfFeatures trial_;
   const std::function<bool(std::size_t band)>& fails_in_;
   double gain_of_bands_ = 0;  ///< a condition without which none fails must tell more than the bands do
   bool in_bands_ = false;

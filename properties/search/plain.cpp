@@ -138,43 +138,163 @@ std::optional<Shrunk> plain_failure(const Series& series, const CaseId& worst, i
   return std::nullopt;
 }
 
-std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing) try {
+namespace {
+
+/// The inputs with an angle in one group, or in all, about one axis, and with one sign.
+struct Choice {
+  std::size_t turned, axis;
+  double sign;
+};
+std::vector<Choice> choices_of(const Series& series) {
+  std::vector<Choice> all;
   for (const double sign : {1.0, -1.0})
     for (std::size_t turned = series.fields.size() + 1; turned-- > 0;)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (turned < series.fields.size() && !turns(series.fields[turned].kind)) continue;
-        /// Error over limit; infinite for an outcome without an error.
-        const auto score = [&](double angle) -> std::optional<double> {
-          const Plain x = taken(series, input_of(series.fields, turned, angle, axis, sign, vectors[0]));
-          if (stop_requested || x.empty()) return std::nullopt;
-          double most = 0;
-          for (const Judged& j : series.measure(x)) {
-            if (j.residual.output != output) continue;
-            const double own = score_of(series, j) / (j.budget ? j.budget->limit : 1);
-            most = std::max(most, !j.failed                                 ? std::min(own, 1.0)
-                                  : j.residual.outcome != Outcome::measured ? unbounded
-                                                                            : std::max(own, 1 + 1e-9));
-          }
-          return most;
-        };
-        const double worse = score(failing).value_or(0), better = score(passing).value_or(unbounded);
-        if (worse <= 1 || (better > 1 && better > worse / 30)) continue;
-        const auto crossing = [&](double level) {
-          double in = failing, out = passing, beside = better;
-          for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
-            const double angle = std::sqrt(in * out);
-            const auto s = score(angle);
-            if (!s) break;
-            if (*s <= level) beside = *s;
-            (*s > level ? in : out) = angle;
-          }
-          return Crossing{std::sqrt(in * out), beside};
-        };
-        // Where errors change at once, they cross the middle of both there; they may come within the limit far beyond.
-        const double most = std::min(worse, 1 / series.eps), least = std::max(1.0, better);
-        return Crossing{crossing(std::sqrt(most * least)).angle, crossing(least).passing};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (turned == series.fields.size() || turns(series.fields[turned].kind))
+          all.push_back({turned, axis, sign});
+  return all;
+}
+
+/// Whether a result is judged at this angle, and not at that of another argument.
+bool is_at(const Series& series, const Judged& j, double angle) {
+  const Band& b = series.bands()[j.residual.band];
+  const double at = b.axis == Axis::pi_minus_theta ? std::numbers::pi - angle : angle;
+  return b.axis == Axis::none || (at > 0.99 * b.low && at < 1.01 * b.high);
+}
+
+/// Error over limit of a plain input, if `only_there` at this angle alone; infinite for an outcome without an error, none if the law does not take it.
+std::optional<double> error_over_limit(const Series& series, int output, const Choice& of, double angle,
+                                       bool only_there = false) {
+  const Plain x = taken(series, input_of(series.fields, of.turned, angle, of.axis, of.sign, vectors[0]));
+  if (stop_requested || x.empty()) return std::nullopt;
+  double most = 0;
+  for (const Judged& j : series.measure(x)) {
+    if (j.residual.output != output || (only_there && !is_at(series, j, angle))) continue;
+    const double own = score_of(series, j) / (j.budget ? j.budget->limit : 1);
+    most = std::max(most, !j.failed                                 ? std::min(own, 1.0)
+                          : j.residual.outcome != Outcome::measured ? unbounded
+                                                                    : std::max(own, 1 + 1e-9));
+  }
+  return most;
+}
+
+}  // namespace
+
+std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing) try {
+  for (const Choice& choice : choices_of(series)) {
+    const auto score = [&](double angle) { return error_over_limit(series, output, choice, angle); };
+    const double worse = score(failing).value_or(0), better = score(passing).value_or(unbounded);
+    if (worse <= 1 || (better > 1 && better > worse / 30)) continue;
+    const auto crossing = [&](double level) {
+      double in = failing, out = passing, beside = better;
+      for (int k = 0; k < 12; ++k) {  // two decades to a factor of 1.001
+        const double angle = std::sqrt(in * out);
+        const auto s = score(angle);
+        if (!s) break;
+        if (*s <= level) beside = *s;
+        (*s > level ? in : out) = angle;
       }
+      return Crossing{std::sqrt(in * out), beside};
+    };
+    // Where errors change at once, they cross the middle of both there; they may come within the limit far beyond.
+    const double most = std::min(worse, 1 / series.eps), least = std::max(1.0, better);
+    return Crossing{crossing(std::sqrt(most * least)).angle, crossing(least).passing};
+  }
   return std::nullopt;
+} catch (const GivenUp&) {  // a signal ended a call
+  return std::nullopt;
+}
+
+std::optional<double> last_zero(const Series& series, int output, double low, double high) try {
+  double last = 0;
+  for (const Choice& choice : choices_of(series)) {
+    const auto is_zero = [&](double angle) {  // then the error is as large as the right result
+      const Plain x =
+          taken(series, input_of(series.fields, choice.turned, angle, choice.axis, choice.sign, vectors[0]));
+      if (stop_requested || x.empty()) return false;
+      return std::ranges::any_of(series.measure(x), [&](const Judged& j) {
+        return j.residual.output == output && is_at(series, j, angle) &&
+               std::fabs(score_of(series, j) * series.eps - 1) < 1e-6;
+      });
+    };
+    if (!is_zero(low) || is_zero(high)) continue;
+    double from = low, to = high;
+    for (int k = 0; k < 14; ++k) {
+      const double middle = std::sqrt(from * to);
+      (is_zero(middle) ? from : to) = middle;
+    }
+    last = std::max(last, from);
+  }
+  return last > 0 ? std::optional(last) : std::nullopt;
+} catch (const GivenUp&) {  // a signal ended a call
+  return std::nullopt;
+}
+
+namespace {
+
+/// A formula whose error changes as the square of the angle changes it by 2.2 from one of these angles to the next.
+constexpr double next_angle = 1.4678;
+
+/// The largest error over limit of plain inputs at theta, or pi - theta. Errors within a sixth of the limit are rounding.
+class LargestErrors {
+ public:
+  LargestErrors(const Series& series, int output, bool from_pi)
+      : series_(series), output_(output), from_pi_(from_pi), choices_(choices_of(series)) {}
+  static constexpr double least_factor = 6;
+  double operator()(double at) const {
+    double most = 1 / least_factor;
+    for (const Choice& choice : choices_) {
+      const auto error =
+          error_over_limit(series_, output_, choice, from_pi_ ? std::numbers::pi - at : at, true);
+      most = std::max(most, std::min(error.value_or(0), 1 / series_.eps));
+    }
+    return most;
+  }
+
+ private:
+  const Series& series_;
+  int output_;
+  bool from_pi_;
+  std::vector<Choice> choices_;
+};
+
+}  // namespace
+
+double slope_of_errors(const Series& series, int output, double low, double high, bool from_pi) try {
+  const LargestErrors largest(series, output, from_pi);
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (double at = low; at <= high && !stop_requested; at *= next_angle) {
+    const double error = largest(at);
+    if (error < 3 || error * series.eps > 1e-4) continue;
+    const double a = std::log(at), b = std::log(error);
+    ++n, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return n < 6 ? 0 : (n * xy - x * y) / (n * xx - x * x);
+} catch (const GivenUp&) {  // a signal ended a call
+  return 0;
+}
+
+std::optional<ErrorStep> step_of_errors(const Series& series, int output, double low, double high,
+                                   bool from_pi) try {
+  const LargestErrors largest(series, output, from_pi);
+  std::optional<ErrorStep> steepest;
+  double factor = LargestErrors::least_factor, below = largest(low);
+  for (double at = low; at * next_angle <= high && !stop_requested; at *= next_angle) {
+    const double above = largest(at * next_angle), ratio = std::max(above / below, below / above);
+    if (ratio > factor && std::max(above, below) > 1) factor = ratio, steepest = ErrorStep{at, below, above};
+    below = above;
+  }
+  if (!steepest) return std::nullopt;
+  double from = steepest->angle, to = from * next_angle;
+  const double middle = std::sqrt(steepest->below * steepest->above);
+  for (int k = 0; k < 7; ++k) {  // to a factor of 1.003
+    const double at = std::sqrt(from * to), error = largest(at);
+    const bool is_below = (error > middle) == (steepest->below > middle);
+    (is_below ? from : to) = at;
+    (is_below ? steepest->below : steepest->above) = error;
+  }
+  steepest->angle = std::sqrt(from * to);
+  return steepest;
 } catch (const GivenUp&) {  // a signal ended a call
   return std::nullopt;
 }

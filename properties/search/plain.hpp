@@ -27,4 +27,21 @@ struct Crossing {
 /// pass, or err by 30 times less, by bisection; none if no plain input does so.
 std::optional<Crossing> angle_between(const Series& series, int output, double failing, double passing);
 
+/// The largest angle between two below which results of plain inputs are 0 and right ones are not, to a thousandth; none if
+/// they are not 0 at `low`, or still at `high`.
+std::optional<double> last_zero(const Series& series, int output, double low, double high);
+
+/// The power of theta, or pi - theta, as which the largest errors of plain inputs grow between two angles, where they are above
+/// the limit and leave four digits; 0 if they are so at fewer than six angles.
+double slope_of_errors(const Series& series, int output, double low, double high, bool from_pi);
+
+/// A change at once of the largest errors of plain inputs.
+struct ErrorStep {
+  double angle;         ///< theta, or pi - theta [rad]
+  double below, above;  ///< error over limit beside it
+};
+/// The largest step of errors between two angles theta, or pi - theta if `from_pi`, by a factor of six at least, to three
+/// thousandths of the angle; none if plain inputs show none.
+std::optional<ErrorStep> step_of_errors(const Series& series, int output, double low, double high, bool from_pi);
+
 }  // namespace liecheck::properties

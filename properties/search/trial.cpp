@@ -53,10 +53,10 @@ std::chrono::duration<double> at_this_load(double seconds) {
   return std::chrono::duration<double>(seconds * std::clamp(load / processors, 1.0, 10.0));
 }
 
-Trial::Trial(const Series& series, std::size_t output)
+TrialOfFeatures::TrialOfFeatures(const Series& series, std::size_t output)
     : series_(series), output_(output), of_tree_(is_tree_law(series.property) && !series.on_robot) {}
 
-std::vector<double> Trial::features_of(const NumberFunction& f, const void* arguments,
+std::vector<double> TrialOfFeatures::features_of(const NumberFunction& f, const void* arguments,
                                        const Context& context) {
   const std::size_t n = count_numbers(f.operation->arguments, f.model);
   const std::vector<double> numbers = f.scalar->with([&]<class S>() {
@@ -72,7 +72,7 @@ std::vector<double> Trial::features_of(const NumberFunction& f, const void* argu
   return values;
 }
 
-std::vector<Tried> Trial::operator()(const std::vector<double>& x) {
+std::vector<Tried> TrialOfFeatures::operator()(const std::vector<double>& x) {
   std::vector<std::vector<double>> calls;
   Context context;
   std::optional<TreeCase<double>> tree;

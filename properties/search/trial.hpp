@@ -10,7 +10,7 @@ namespace liecheck::properties {
 /// What became of one input in one call.
 struct Tried {
   std::vector<double> input;
-  std::vector<double> features;  ///< by Trial::names(); NaN, or none at the end, where the call has none
+  std::vector<double> features;  ///< by TrialOfFeatures::names(); NaN, or none at the end, where the call has none
   bool failed = false;
   double error = 0;  ///< [eps]
   std::size_t band = 0;
@@ -23,9 +23,9 @@ struct Tried {
 std::chrono::duration<double> at_this_load(double seconds);
 
 /// Measures inputs of a law, and looks at the calls.
-class Trial {
+class TrialOfFeatures {
  public:
-  Trial(const Series& series, std::size_t output);
+  TrialOfFeatures(const Series& series, std::size_t output);
 
   /// One for each measurement of the output, if each has its own call; else one, the worst. None if nothing was measured.
   std::vector<Tried> operator()(const std::vector<double>& x);

@@ -1,10 +1,11 @@
 // In lib, properties and adapters a file has at most 400 lines and a function at most 80, unless a comment gives the
-// reason. No file cites a document that is not in the repository.
+// reason. No file cites a document that is not in the repository, and no type has two definitions.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "source_files.hpp"
 
@@ -218,6 +219,48 @@ TEST(Citations, OfOtherDocumentsAreFound) {
   EXPECT_EQ(found("see ..") + found("/shared/x.md\n"), 0u);
   EXPECT_EQ(found(std::string("see ..") + "/shared/x.md\n"), 1u);
   EXPECT_EQ(found("template <int " + rows + ">  // the design of rows\n"), 0u);
+}
+
+/// The types that files define in named namespaces, with the files, where these are several: programs that link two of them have
+/// one type with two meanings.
+std::map<std::string, std::set<std::string>> types_of_several(const Files& files) {
+  static const std::regex space(R"(^namespace ?([\w:]*) ?\{$)"),
+      type(R"(^(?:struct|class) (\w+)(?: final)?(?: :.*)? \{)");
+  std::map<std::string, std::set<std::string>> all;
+  for (const auto& [path, text] : files) {
+    std::vector<std::string> spaces;
+    std::istringstream lines(text);
+    std::smatch found;
+    for (std::string line, before; std::getline(lines, line); before = line) {
+      if (std::regex_match(line, found, space)) spaces.push_back(found[1]);
+      if (line.starts_with("}  // namespace") && !spaces.empty()) spaces.pop_back();
+      if (!std::regex_search(line, found, type) || std::ranges::count(spaces, "") ||
+          before.starts_with("template"))
+        continue;
+      std::string name;
+      for (const std::string& one : spaces) name += one + "::";
+      all[name + found[1].str()].insert(path);
+    }
+  }
+  std::erase_if(all, [](const auto& one) { return one.second.size() < 2; });
+  return all;
+}
+
+TEST(Types, AreDefinedOnce) {
+  for (const auto& [name, files] :
+       types_of_several(sources({"lib", "scenes", "properties", "reports", "lab"})))
+    ADD_FAILURE() << name << " is defined in " << *files.begin() << " and in " << *files.rbegin();
+}
+
+TEST(Types, ThatAreDefinedTwiceAreFound) {
+  const std::string hidden = "namespace a {\nnamespace {\nstruct B {};\n}  // namespace\n}  // namespace a\n";
+  const Files files{
+      {"b.hpp", "namespace a {\nstruct B {\n};\nclass C : D {\n};\n}  // namespace a\n"},
+      {"c.cpp", hidden},
+      {"d.hpp",
+       "namespace a {\nstruct B final : E {\n};\ntemplate <class T>\nclass C {\n};\n}  // namespace a\n"}};
+  EXPECT_EQ(types_of_several(files),
+            (std::map<std::string, std::set<std::string>>{{"a::B", {"b.hpp", "d.hpp"}}}));
 }
 
 }  // namespace

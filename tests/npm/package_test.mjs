@@ -198,6 +198,11 @@ MyLib.scalars = ["float"];
 module.exports = MyLib;`);
     const float = liecheck(["test", "float.cjs", "--cases", "300"]);
     assert.match(float.stdout, /^verdict pass; MyLib unknown\n/, float.stdout + float.stderr);
+    write("object.mjs", `export default class Ours { static conventions = {quaternion: "wxyz"};
+  quaternion_inverse(q) { return this.conjugate(q); }
+  conjugate(q) { return [q[0], -q[1], -q[2], -q[3]]; }
+}`);
+    assert.match(liecheck(["adapter", "check", "object.mjs"]).stdout, /^Ours .*: 1 function\nquaternion_inverse +double +agrees$/m);
     const {stdout} = liecheck(["adapter", "check", path.join(root, "tests/npm/slides.mjs")]);
     for (const line of [/^slides .*: 2 functions$/m, /^frame_pose +double +agrees$/m, /^act_point +double +agrees$/m]) assert.match(stdout, line);
   },

@@ -95,6 +95,52 @@ FUNCTIONS = {"log3_quaternion": (log3_quaternion, 4, 3)})");
   EXPECT_NE(text.find("such as: log3_quaternion, rotation vector, "), std::string::npos) << text;
 }
 
+// Below 1e-3 the rotation is that of theta = 0, and from there to 0.1 a right one has a wrong norm.
+TEST(Findings, ABlockThatIsWrongWhereTheFirstIsRightHasALine) {
+  const std::string adapter = adapter_with("two_blocks.py", R"(
+def exp3_quaternion(phi):
+    t = np.linalg.norm(phi)
+    Q = np.append(phi * (np.sin(t / 2) / t if t > 0 else 0.5), np.cos(t / 2))
+    return np.array([0, 0, 0, 1]) if t < 1e-3 else Q * (1 + 1e-9) if t < 0.1 else Q
+
+
+FUNCTIONS = {"exp3_quaternion": (exp3_quaternion, 3, 4)})");
+  const std::string text = campaign("--property exp_oracle --scalar double --adapter '" + adapter + "'", 1);
+  EXPECT_NE(text.find("1  exp3_quaternion (rotation): "), std::string::npos) << text;
+  EXPECT_NE(text.find("a threshold at theta about 1e-3, "), std::string::npos) << text;
+  EXPECT_NE(text.find("   also     norm defect: 7.0 of 15.7 digits lost, theta 1e-3 to 1e-1: "),
+            std::string::npos)
+      << text;
+}
+
+// The largest errors are below the cutoff, and as random inputs show them they begin at once above 1e-6.
+TEST(Findings, ACutoffIsWhereErrorsOfPlainInputsChangeAtOnce) {
+  const std::string adapter = adapter_with("cutoff.py", R"(
+def left_jacobian3(phi):
+    t = np.linalg.norm(phi)
+    n = np.array([[0, -phi[2], phi[1]], [phi[2], 0, -phi[0]], [-phi[1], phi[0], 0]])
+    return np.eye(3) + (n / 2 if t < 1e-4 else (1 - np.cos(t)) / t**2 * n + (t - np.sin(t)) / t**3 * n @ n)
+
+
+def log3_quaternion(Q):
+    s = np.linalg.norm(Q[:3])
+    return 0 * Q[:3] if s < 2e-11 else Q[:3] * (2 * np.arctan2(s, abs(Q[3])) / s) * (1 if Q[3] > 0 else -1)
+
+
+FUNCTIONS = {"left_jacobian3": (lambda x: left_jacobian3(x).reshape(9), 3, 9),
+             "log3_quaternion": (log3_quaternion, 4, 3)})");
+  const std::string text = campaign(
+      "--property jacobian_oracle --property log_oracle --scalar double --adapter '" + adapter + "'", 1);
+  EXPECT_NE(
+      text.find(
+          "a cutoff at theta about 1e-4: above it the closed form cancels, and the series below it lacks "
+          "a term\n"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("the result is 0 where theta is below about 4e-11: a threshold\n"), std::string::npos)
+      << text;
+}
+
 // log6 uses log3_matrix, which loses digits near pi, and has an acos of its own, which is NaN where the trace is below -1.
 constexpr char own_acos[] = R"(
 def log3_matrix(R):

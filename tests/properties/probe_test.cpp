@@ -170,6 +170,13 @@ TEST(Probe, NamesOneOperationThatDiffersFromTheOthers) {
   EXPECT_FALSE(explain(answers<double>(l)).at(0).named) << "a fault of log6, and not what the library means";
 }
 
+TEST(Probe, SeparatesConversionsThatExplainAsMuch) {
+  const Library l = {{"quaternion_inverse", [](const Numbers& x) { return x; }}};
+  EXPECT_TRUE(findings(l).starts_with(
+      "quaternions are those of the inverse rotations (passive), but only as arguments, or "))
+      << findings(l);
+}
+
 TEST(Probe, NamesAConversionOfOneSideOnly) {
   Library l = correct();
   change_results(l, {{"integrate", 3}}, [](double* q) { std::rotate(q, q + 3, q + 4); });

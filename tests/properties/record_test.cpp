@@ -106,7 +106,7 @@ TEST(Record, DefinesEveryOperationAndBlockOfItsResults) {
   Json less = campaign();
   const Json &row = less["results"][0], &blocks = less["blocks"];
   for (std::size_t i = blocks.size(); i-- > 0;)
-    if (blocks[i]["block"] == row["block"] && blocks[i].value("operation", "") == row["operation"])
+    if (blocks[i]["block"] == row["block"] && row["operation"] == blocks[i].value("operation", ""))
       less["blocks"].erase(i);
   EXPECT_EQ(faulty_definitions(less).size(), 1u);
   less = campaign();

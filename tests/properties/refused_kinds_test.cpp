@@ -7,6 +7,7 @@
 #include <adapters/liecheck_adapter.hpp>
 #include <adapters/subjects.hpp>
 #include <adapters/trees.hpp>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -68,6 +69,43 @@ TEST(RefusedKinds, AreOutsideTheDomainAndTheCasesAreOfTheOthers) {
 TEST(RefusedKinds, WhoTakesEveryKindGetsTheInputsOfAll) {
   for (const char* law : {"relative_rotation", "twist"})
     EXPECT_EQ(select({{"liecheck"}, {law}, {"double"}}, built_in_robot()).at(0)->robot, "none");
+}
+
+/// Angles to matrices in two orders, and back in one of them.
+struct Orders {
+  const char *name = "two_orders", *version = "1";
+  void euler_to_matrix(std::span<const double, 4> x, std::span<double, 9> R) const {
+    if (x[0] != 11 && x[0] != 1) throw std::domain_error("only 1 and 11");
+    const Mat<double, 3> y =
+        own_subject().operations[op::euler_to_matrix](x[0], Vec<double, 3>(x.data() + 1));
+    for (int i = 0; i < 9; ++i) R[std::size_t(i)] = y(i / 3, i % 3);
+  }
+  void euler_from_matrix(std::span<const double, 10> x, std::span<double, 3> angles) const {
+    if (x[0] != 11) throw std::domain_error("only 11");
+    Mat<double, 3> R;
+    for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = x[std::size_t(i + 1)];
+    const Vec<double, 3> y = own_subject().operations[op::euler_from_matrix](x[0], R);
+    std::copy_n(y.data(), 3, angles.begin());
+  }
+};
+LIECHECK_SUBJECT(Orders, euler_to_matrix, euler_from_matrix)
+
+TEST(RefusedKinds, OfOneFunctionAreThoseOfNoOther) {
+  static Orders orders;
+  const std::string name = register_adapter(*new liecheck_adapter(liecheck_described(orders)));
+  const CampaignResult r = run_quietly({{name}, {}, {}}, 400);
+  EXPECT_FALSE(r.failed);
+  std::map<std::string, std::uint64_t> outside, refused;  // by operation
+  for (const auto& [series, tally] : r.series) {
+    EXPECT_EQ(series->robot, "orders_1_11");
+    for (const auto& [cell, row] : tally.rows) {
+      const std::string operation(series->outputs.at(std::size_t(cell.first)).operation);
+      outside[operation] += row.outside_domain, refused[operation] += row.refused;
+    }
+  }
+  EXPECT_EQ(outside["euler_to_matrix"], 0u);
+  EXPECT_GT(outside["euler_from_matrix"], 100u);
+  EXPECT_EQ(refused["euler_from_matrix"], 0u);
 }
 
 /// liecheck's velocities of frames in LOCAL only.

@@ -99,7 +99,7 @@ TEST(CostReport, CallsWithManyInputsAreNamedWhereTheyTakeLessAndLoseNothing) {
   const auto points_of = [&] {
     std::string text;
     for (const CostPoint& p : cost_points(all))
-      if (p.subject == row["subject"] && p.scalar == row["scalar"] && p.operation == row["operation"])
+      if (row["subject"] == p.subject && row["scalar"] == p.scalar && row["operation"] == p.operation)
         text += p.name() + "; ";
     return text;
   };

@@ -105,8 +105,9 @@ TEST_F(Report, PassesNothingThatWasNotMeasured) {
   EXPECT_STREQ(verdict_with([](Json&) {}), "pass");
   for (const char* status : {"unresolved", "unmeasured", "ill-posed"})
     EXPECT_STREQ(verdict_with([&](Json& r) { r["results"][0]["status"] = status; }), "incomplete") << status;
-  EXPECT_STREQ(verdict_with([](Json& r) { r["hard_cases"] = {hard_case("liecheck", "unresolved")}; }),
-               "incomplete");
+  EXPECT_STREQ(
+      verdict_with([](Json& r) { r["hard_cases"] = Json::array({hard_case("liecheck", "unresolved")}); }),
+      "incomplete");
   EXPECT_STREQ(verdict_with([](Json& r) {
                  r["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double",
  "subject": "liecheck", "what": "exp6, jump: measured in 0 of 20000 cases"}])json");

@@ -55,15 +55,14 @@ Json bounds() {
           {"verdict", "pass"},
           {"scalar", "double"},
           {"subject", "liecheck"},
-          {"operations",
-           {{{"operation", "exp6"},
-             {"block", "translation"},
-             {"inputs", "every twist"},
-             {"bound_eps", 14.2},
-             {"hunted_eps", 3.16},
-             {"limit_eps", 3.9},
-             {"boxes", 1000},
-             {"widest", "theta 3..3.1"}}}}};
+          {"operations", Json::array({Json{{"operation", "exp6"},
+                                           {"block", "translation"},
+                                           {"inputs", "every twist"},
+                                           {"bound_eps", 14.2},
+                                           {"hunted_eps", 3.16},
+                                           {"limit_eps", 3.9},
+                                           {"boxes", 1000},
+                                           {"widest", "theta 3..3.1"}}})}};
 }
 
 Json swept() {
@@ -209,7 +208,10 @@ Json full_record() {
                              "crashed", "environment_changed", "printed"})
       r[name] = 0;
   for (Json& s : all["subjects"])
-    s.update({{"profile", "careful"}, {"limits", "own.limits"}, {"limits_hash", "0123456789abcdef"}});
+    s.update({{"profile", "careful"},
+              {"limits", "own.limits"},
+              {"limits_hash", "0123456789abcdef"},
+              {"flags", " --adapter './a b.so'"}});
   all["results"][1]["worst"].update(parsed(
       R"json({"call": "exp6", "numbers": [{"name": "p[2]", "got": "0x1p-3", "expected": "0x1.8p-3"}]})json"));
   all["maps"] =
@@ -217,7 +219,7 @@ Json full_record() {
  "scales": [1, 100],
  "panels": [{"block": "translation", "errors": [[0.5, "inf"], [2e7, null]], "operation": "exp6",
    "property": "exp_oracle", "scalar": "double", "subject": "textbook"}]})json");
-  all["hard_cases"] = {hard_case("liecheck", "refused")};
+  all["hard_cases"] = Json::array({hard_case("liecheck", "refused")});
   all["hard_cases"][0]["place"] = "zero.txt:3";
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
   all["hard_cases"][0]["cells"][0]["open"] = false;
@@ -230,7 +232,8 @@ Json full_record() {
   row["timed"] = "own types", set["interface"] = set["latency"], set["cycles"] = 900;
   all["cost"]["spread"] = 0.05;
   all["cost"]["environment"].update(environment);
-  all["cost"]["bands"] = {{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}};
+  all["cost"]["bands"] =
+      Json::array({Json{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}});
   all["scenes"] = scenes();
   for (Json& p : all["scenes"]["scenes"][0]["series"][0]["points"]) p["momentum"] = p["energy"];
   for (const char* name : {"sweep", "bounds", "scenes"}) all[name]["environment"] = environment;

@@ -48,10 +48,19 @@ function serve(adapter) {
   answer(subjectOf(adapter, "adapter"));
 }
 
+/** An object of a class whose functions are not static, made without arguments, with what is static in the class. */
+function objectOf(Class) {
+  const object = new Class();
+  for (const name of Object.getOwnPropertyNames(Class))
+    if (!(name in object) && name !== "length" && name !== "prototype") object[name] = Class[name];
+  return object;
+}
+
 /** The adapter of a file: what it exports by default, or all that it exports. */
 async function load(file) {
   const module = await import(url.pathToFileURL(file).href);
   const one = module.default;
+  if (typeof one === "function" && Object.getOwnPropertyNames(one.prototype || {}).some(name => sizes.has(name))) return objectOf(one);
   return one && (typeof one === "object" || typeof one === "function") ? one : module;
 }
 
