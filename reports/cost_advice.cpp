@@ -252,6 +252,15 @@ std::string cost_advice(const Json& cost, const Looks& looks) {
                                    "nothing where none wins more than one digit"
                                  : "What to take, and what a faster choice loses",
             heads, rows);
+  if (std::ranges::any_of(cost["rows"], [&](const Json& row) {
+        const std::string timed = row.value("timed", "");
+        return row["subject"] == own_library && !timed.empty() && timed.find("own types") == timed.npos;
+      }))
+    out += fmt::format(
+        "<p class=\"note\">The times of {} are those of calls with numbers: what its adapter converts is in "
+        "them, and none of it "
+        "in those of the forms.</p>\n",
+        escaped(own_library));
   if (std::ranges::any_of(rows, [](const Cells& row) {
         return std::ranges::any_of(row, [](const std::string& s) { return s.find(within_budget) != s.npos; });
       }))

@@ -42,7 +42,6 @@ struct Told {
   }
   std::string subject() const { return (*finding)["subject"]; }
   std::string operation() const { return (*finding)["operation"]; }
-  bool has_block(const std::string& block) const { return std::ranges::count(blocks, block) > 0; }
 };
 
 /// The largest loss of digits of rows, of ordinary inputs or of all.
@@ -89,28 +88,6 @@ std::string bands_of(const Looks& looks, const Told& told) {
                                looks.digits.words(*worst))
                  : std::string()) +
          "</div>";
-}
-
-/// HTML: how many hard cases fail in the operation of a finding, and in those that fail in the same way.
-std::string hard_of(const std::vector<HardCase>& cases, const Told& told, bool first_of_operation) {
-  std::size_t own = 0, others = 0;
-  Distinct<std::string> names, operations;
-  for (const HardCase& c : cases) {
-    if (!c.failed || c.subject != told.subject()) continue;
-    if (c.operation == told.operation() && (told.has_block(c.block) || first_of_operation))
-      ++own, names.add(c.name);
-    else if (std::ranges::count(told.others, c.operation))
-      ++others, operations.add(c.operation);
-  }
-  std::string text;
-  if (own > 0)
-    text = fmt::format("{} of {} {}, too: {}{}", own, told.operation(), own == 1 ? "fails" : "fail",
-                       escaped(*names.begin()), names.size() > 1 ? ", …" : "");
-  if (others > 0)
-    text += fmt::format("{}{} of {}, which {} in the same way", own > 0 ? "; and " : "", others,
-                        escaped(fmt::format("{}", fmt::join(operations, ", "))),
-                        operations.size() == 1 ? "fails" : "fail");
-  return text.empty() ? "" : "<a href=\"#stability\">hard cases</a>: " + text;
 }
 
 /// The operations that fail and that no finding names, of each library.
@@ -187,13 +164,13 @@ std::string example_words(std::string words) {
 }
 
 /// The article of a finding.
-std::string article(const Looks& looks, const Told& told, bool one_library, const std::string& hard) {
+std::string article(const Looks& looks, const Told& told, bool one_library) {
   std::vector<std::pair<std::string, std::string>> lines;  // HTML
   for (const auto& [name, words] : told.text.lines)
     if (name == "replay" || name == "program")
       lines.emplace_back(name, fmt::format("<code class=\"{}\">{}</code>", name, escaped(words)));
     else if (name == "hard")
-      lines.emplace_back(name, hard.empty() ? escaped(words) : hard);
+      lines.emplace_back(name, "<a href=\"#stability\">" + escaped(words) + "</a>");
     else
       lines.emplace_back(escaped(name), escaped(name == "example" ? example_words(words) : words));
   if (const std::string price = price_of(looks, *told.finding); !price.empty())
@@ -216,17 +193,14 @@ std::string article(const Looks& looks, const Told& told, bool one_library, cons
 
 std::string findings_section(const Looks& looks) {
   const bool one = !only_library(looks.merged).empty();
-  const auto cases = hard_cases(looks.merged);
   std::vector<Told> all;
   for (const Json& record : looks.merged.records)
     for (const Json& finding : list_in(record, "findings")) all.emplace_back(finding);
+  std::size_t in_all = all.size();
+  for (const Json& record : looks.merged.records) in_all += record.value("further_findings", std::size_t(0));
   std::ranges::stable_partition(all, [](const Told& t) { return !t.text.is_refusal(); });
-  std::set<std::pair<std::string, std::string>> seen;
   std::string out;
-  for (const Told& told : all) {
-    const bool first = seen.emplace(told.subject(), told.operation()).second;
-    out += article(looks, told, one, hard_of(cases, told, first));
-  }
+  for (const Told& told : all) out += article(looks, told, one);
   const std::string further = further_operations(looks, all);
   if (out.empty() && further.empty()) return "";
   return fmt::format(
@@ -234,7 +208,9 @@ std::string findings_section(const Looks& looks) {
       "wrong{}</h2>\n{}{}{}</section>\n",
       all.empty()
           ? std::string()
-          : fmt::format(": {} finding{}", all.size(), all.size() == 1 ? "" : "s, first what costs most"),
+          : fmt::format(": {}{} finding{}{}", in_all > all.size() ? fmt::format("{} of ", all.size()) : "",
+                        in_all, in_all == 1 ? "" : "s, first what costs most",
+                        in_all > all.size() ? "; the terminal prints the others with --all" : ""),
       all.empty()
           ? ""
           : "<p class=\"note\">The cases that a finding counts are those of its bands of angles or, with "

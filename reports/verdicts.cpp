@@ -139,7 +139,7 @@ Verdict failing_verdict(const Looks& looks, const std::string& subject, const Ju
   const std::string where =
       rows.extreme.empty() ? "on hard cases of extreme angles" : extremes_of(rows.extreme);
   const std::string worst =
-      rows.failing.empty() ? "" : " Worst: " + worst_of(looks, subject, rows.failing) + ".";
+      rows.failing.empty() ? "" : " Costs most: " + worst_of(looks, subject, rows.failing) + ".";
   if (!rows.wrong.empty()) {
     const std::size_t more = rows.at_all.size() - rows.wrong.size();
     return {subject, "fail", "✗",

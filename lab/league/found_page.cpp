@@ -120,7 +120,7 @@ them has been reported; others have reported {}, as far as we know, and their de
 
 *Digits lost* is log10 of the error in eps of the scalar, as [measured](measuring.md), for the input of one program, out of
 15.7 digits in double and 6.9 in float; other inputs lose more or fewer. The program is below, folded, as a user of the
-library would write it, and prints what stands after *got*. What is *right* is computed with 50 and 100 digits from the
+library would write it, and prints the numbers that stand after *got*. What is *right* is computed with 50 and 100 digits from the
 numbers that the function was given. The last line of each has the call in the terms of [operations.md](operations.md).
 
 `build/release/bin/liecheck lab league findings fixtures/league/found.json --out found` measures all of them again, runs each

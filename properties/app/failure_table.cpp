@@ -53,37 +53,63 @@ void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
   }
 }
 
-/// The lines of a limits file that expect the failures of a finding and of its hard cases: all inputs of a block, or intervals of
-/// the angle.
-std::vector<std::string> accepting(const Finding& finding) {
+/// The blocks of operations in which a finding fails, each with its bands in one scalar.
+class FailingBands {
+ public:
   using Block = std::tuple<std::string_view, std::string_view, const Bands*>;
-  std::vector<std::pair<Block, std::vector<bool>>> all;  // whether each band fails
-  const auto add = [&](const Block& block, std::size_t band) {
-    auto at = std::ranges::find(all, block, [](const auto& one) { return one.first; });
-    if (at == all.end())
-      at = all.insert(at, {block, std::vector<bool>(std::get<const Bands*>(block)->all().size())});
+  void add(const Block& block, std::size_t band) {
+    auto at = std::ranges::find(all_, block, [](const auto& one) { return one.first; });
+    if (at == all_.end())
+      at = all_.insert(at, {block, std::vector<bool>(std::get<const Bands*>(block)->all().size())});
     at->second[band] = true;
-  };
-  for (const auto* blocks : {&finding.own, &finding.others})
-    for (const FailedBlock* f : *blocks)
-      for (const BandOf& b : f->bands)
-        if (fails(*b.series, {int(b.output), int(b.band)}, *b.row))
-          add({f->operation, f->block, &b.series->bands()}, b.band);
-  for (const HardCell* cell : finding.hard_cells)
-    for (const FailedPlace& p : cell->failing) add({p.operation, p.block, p.bands}, p.band);
-  std::vector<std::string> lines;
-  for (const auto& [block, bad] : all) {
-    const auto& [operation, name, bands] = block;
-    std::vector<std::string> inputs;
-    for (const auto& [first, last] : runs_of(bands->all(), bad)) {
-      const auto more = inputs_of(bands->all(), first, last);
-      inputs.insert(inputs.end(), more.begin(), more.end());
-    }
-    if (bad[0]) inputs = {"any"};
-    for (const std::string& text : inputs)
-      lines.push_back(fmt::format("{}, {}, {} = WHY, LINK", operation, name, text));
   }
-  return lines;
+  bool has(const Block& block) const {
+    return std::ranges::count(all_, block, [](const auto& one) { return one.first; }) > 0;
+  }
+  /// The lines of a limits file that expect these failures: all inputs of a block, or intervals of the angle. A band between two
+  /// that fail is in the interval: more cases would fail there, too.
+  std::vector<std::string> accepting() const {
+    std::vector<std::string> lines;
+    for (auto [block, bad] : all_) {
+      const auto& [operation, name, bands] = block;
+      for (std::size_t i = 1; i + 1 < bad.size(); ++i)
+        if (const auto axis = bands->all()[i].axis; bad[i - 1] && bad[i + 1] && axis != Axis::none &&
+                                                    bands->all()[i - 1].axis == axis &&
+                                                    bands->all()[i + 1].axis == axis)
+          bad[i] = true;
+      std::vector<std::string> inputs;
+      for (const auto& [first, last] : runs_of(bands->all(), bad)) {
+        const auto more = inputs_of(bands->all(), first, last);
+        inputs.insert(inputs.end(), more.begin(), more.end());
+      }
+      if (bad[0]) inputs = {"any"};
+      for (const std::string& text : inputs)
+        lines.push_back(fmt::format("{}, {}, {} = WHY, LINK", operation, name, text));
+    }
+    return lines;
+  }
+
+ private:
+  std::vector<std::pair<Block, std::vector<bool>>> all_;
+};
+
+/// Of each finding. What fails in a hard case is the failure of the finding that has the block, else of the one that has the case.
+std::vector<FailingBands> failing_bands(const std::vector<Finding>& findings) {
+  std::vector<FailingBands> all(findings.size());
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    for (const auto* blocks : {&findings[i].own, &findings[i].others})
+      for (const FailedBlock* f : *blocks)
+        for (const BandOf& b : f->bands)
+          if (fails(*b.series, {int(b.output), int(b.band)}, *b.row))
+            all[i].add({f->operation, f->block, &b.series->bands()}, b.band);
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    for (const HardCell* cell : findings[i].hard_cells)
+      for (const FailedPlace& p : cell->failing) {
+        const FailingBands::Block block{p.operation, p.block, p.bands};
+        const auto at = std::ranges::find_if(all, [&](const FailingBands& f) { return f.has(block); });
+        (at == all.end() ? all[i] : *at).add(block, p.band);
+      }
+  return all;
 }
 
 void print_in_full(const CampaignResult& r, const FailedBlock& f) {
@@ -124,17 +150,19 @@ void print_failures(const CampaignResult& r, bool all) {
 void print_how_to_accept(const ToldFindings& told, bool all) {
   std::vector<std::string> lines;
   std::string by_finding;
-  for (const Finding& finding : told.findings) {
+  const std::vector<FailingBands> failing = failing_bands(told.findings);
+  for (std::size_t i = 0; i < failing.size(); ++i) {
     std::string of_finding;
-    for (const std::string& line : accepting(finding))
+    for (const std::string& line : failing[i].accepting())
       if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line), of_finding += line + "\n";
     if (!of_finding.empty())
-      by_finding += fmt::format("# finding {}, {}\n{}", &finding - told.findings.data() + 1,
-                                finding.operation, of_finding);
+      by_finding += fmt::format("# finding {}, {}\n{}", i + 1, told.findings[i].operation, of_finding);
   }
   if (lines.empty()) return;
   if (all)
-    say("lines of a limits file that accept these failures:\n[expected]\n{}", by_finding);
+    say("lines of a limits file that accept these failures; {} writes lines that other seeds keep, "
+        "too:\n[expected]\n{}",
+        as_typed("promise"), by_finding);
   else
     say("a limits file accepts a known failure by a line below [expected], such as: {}{}\n", lines.front(),
         lines.size() > 1 ? fmt::format("; --all prints all {}", lines.size()) : "");

@@ -62,7 +62,9 @@ constexpr Verdict verdicts[] = {Verdict::stable,       Verdict::refused,    Verd
 
 void print_failure(const HardRow& r, const HardCell& c) {
   const HardCase& e = *r.entry;
-  say("\n{}  hard case {} ({}): {}\n", c.failed ? "FAILED" : "NO VERDICT", e.name, e.hard_class, e.reason);
+  say("\n{}  {}, {}: hard case {} ({})\n", c.failed ? "FAILED" : "NO VERDICT", c.operation, c.block, e.name,
+      e.hard_class);
+  say("  reason    {}\n", e.reason);
   say("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
   say("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
   if (c.verdict == Verdict::inaccurate)

@@ -25,6 +25,8 @@ void add_findings(nlohmann::json& record, const ToldFindings& findings) {
     record["findings"].push_back({{"subject", findings.findings[i].subject},
                                   {"operation", findings.findings[i].operation},
                                   {"text", findings.texts[i]}});
+  if (findings.texts.size() < findings.findings.size())
+    record["further_findings"] = findings.findings.size() - findings.texts.size();
 }
 
 void write_campaign_record(const std::string& file, const StoredRun& run,

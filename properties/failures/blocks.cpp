@@ -5,8 +5,10 @@
 #include <campaign/expected.hpp>
 #include <cmath>
 #include <failures/result.hpp>
+#include <iterator>
 #include <map>
 #include <search/condition.hpp>
+#include <set>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -185,6 +187,37 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
   return failed;
 }
 
+bool fail_together(const FailedBlock& a, const FailedBlock& b) {
+  return a.scalar == b.scalar && std::ranges::any_of(a.bands, [&](const BandOf& x) {
+           return x.fails && std::ranges::any_of(b.bands, [&](const BandOf& y) {
+                    return y.fails && x.band <= y.band + 1 && y.band <= x.band + 1;
+                  });
+         });
+}
+
+bool passes_where_most_fail(const FailedBlock& f, const FailedBlock& other) {
+  std::size_t wrong = 0, right = 0;
+  for (const BandOf& b : other.bands) {
+    if (!b.fails || b.band == 0 || 2 * b.row->failed < b.row->inside() || !(b.row->worst_score > 1e4))
+      continue;
+    std::uint64_t cases = 0, failed = 0;
+    for (const BandOf& own : f.bands)
+      if (own.band == b.band) cases += own.row->inside(), failed += own.row->failed;
+    if (cases > 2) ++wrong, right += failed == 0;
+  }
+  return f.scalar == other.scalar && wrong > 2 && 2 * right > wrong;
+}
+
+bool share_bands(const FailedBlock& a, const FailedBlock& b) {
+  std::set<std::size_t> of_a, of_b, both;
+  for (const BandOf& x : a.bands)
+    if (x.fails) of_a.insert(x.band);
+  for (const BandOf& x : b.bands)
+    if (x.fails) of_b.insert(x.band);
+  std::ranges::set_intersection(of_a, of_b, std::inserter(both, both.end()));
+  return a.scalar == b.scalar && 3 * both.size() >= of_a.size() + of_b.size();
+}
+
 double ordinary_loss(const FailedBlock& f) {
   double failed = 0, cases = 0, digits = 0;
   const double eps = f.worst->series->eps;
@@ -233,7 +266,7 @@ std::string where_of(const FailedBlock& f) {
     runs.push_back(run_text(bands, first, last));
     if (at == fails.end()) break;
   }
-  if (runs.size() <= 3) return fmt::format("{}", fmt::join(runs, ", "));
+  if (runs.size() <= 4) return fmt::format("{}", fmt::join(runs, ", "));
   return fmt::format("{} of {} bands, worst in {}", count, fails.size(),
                      run_text(bands, f.worst->band, f.worst->band));
 }

@@ -50,6 +50,13 @@ std::string outcomes_of(const Row& row);
 /// the failures, unless `even_if_rare`: the others have an error, by which most readers will meet the fault.
 std::string worst_outcome(const Row& row, bool even_if_rare = false);
 
+/// Whether both fail in a band, or in adjacent ones, in the same scalar.
+bool fail_together(const FailedBlock& a, const FailedBlock& b);
+/// Whether a block passes in most bands in which most cases of another one are far from right: then it is not made of that one.
+bool passes_where_most_fail(const FailedBlock& f, const FailedBlock& other);
+/// Whether half of the bands in which either fails are bands in which both do.
+bool share_bands(const FailedBlock& a, const FailedBlock& b);
+
 /// The share of ordinary inputs that fail, times the share of digits that they lose.
 double ordinary_loss(const FailedBlock& failed);
 

@@ -12,6 +12,7 @@
 #include <failures/tree_substitutions.hpp>
 #include <failures/two_results.hpp>
 #include <search/plain.hpp>
+#include <set>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 
@@ -72,8 +73,8 @@ std::string example_of(const FailedBlock& f, const CampaignResult& campaign) try
   const Series& series = *w.series;
   const auto output = static_cast<int>(w.output);
   const CaseId worst = series.id(campaign.options.seed, w.row->worst_index);
-  std::optional<Shrunk> s = plain_failure(series, worst, output, bands_of(f, w),
-                                          worst_outcome(*w.row).empty() && w.row->not_finite > 0);
+  std::optional<Shrunk> s =
+      plain_failure(series, worst, output, bands_of(f, w), worst_outcome(*w.row).empty());
   if (!s) s = shrink(series, worst, output, 500);
   std::string text;
   const bool steady = s->reproduced && worst_outcome(*w.row) != std::string("not repeatable");
@@ -123,7 +124,7 @@ std::string how_bad(const std::vector<const FailedBlock*>& blocks) {
     const FailedBlock* f = first;
     for (const FailedBlock* other : blocks)
       if (first->block != "sign" && worst_outcome(*first->worst->row).empty() &&
-          other->operation == f->operation && other->scalar == f->scalar && other->score > f->score)
+          other->operation == f->operation && other->scalar == f->scalar && other->score > 10 * f->score)
         f = other;
     const bool any_not_finite = std::ranges::any_of(blocks, [&](const FailedBlock* other) {
       return other->operation == f->operation && other->scalar == f->scalar &&
@@ -193,11 +194,12 @@ std::string text_of(const Finding& finding, std::size_t number, const CampaignRe
     text += fmt::format("   so       {} {} in the same way\n", fmt::join(others, ", "),
                         others.size() == 1 ? "fails" : "fail");
   text += example_of(first, campaign) + second.text;
-  if (!finding.hard_rows.empty())
-    text += fmt::format("   hard     {} hard case{} of these operations {}: {}{}\n", finding.hard_rows.size(),
-                        finding.hard_rows.size() == 1 ? "" : "s",
-                        finding.hard_rows.size() == 1 ? "fails" : "fail",
-                        finding.hard_rows.front()->entry->name, finding.hard_rows.size() > 1 ? ", ..." : "");
+  std::set<const HardCase*> hard;  // a case of several laws and scalars is one
+  for (const HardRow* row : finding.hard_rows) hard.insert(row->entry);
+  if (!hard.empty())
+    text += fmt::format("   hard     {} of the hard cases {} worst in these blocks: {}{}\n", hard.size(),
+                        hard.size() == 1 ? "fails" : "fail", finding.hard_rows.front()->entry->name,
+                        hard.size() > 1 ? ", ..." : "");
   return text;
 }
 

@@ -20,9 +20,9 @@ namespace {
 
 /// Blocks of one operation in every scalar, with what they come from.
 struct Group {
-  std::vector<FailedBlock*> blocks;  ///< by scalar
-  std::optional<std::size_t> cause;  ///< another group
-  std::set<std::size_t> of_bands;    ///< groups of the operations that explain some of its bands
+  std::vector<FailedBlock*> blocks;                       ///< by scalar
+  std::optional<std::size_t> cause;                       ///< another group
+  std::map<std::size_t, std::set<std::size_t>> of_bands;  ///< bands that another group's operation explains
   std::vector<Beside> beside;
 };
 using BlockKey = std::tuple<std::string, std::string, std::string>;  ///< subject, operation, block
@@ -103,26 +103,6 @@ bool is_symptom(const std::string& block) {
   return block == "jump" || block == "twist" || block.ends_with("defect");
 }
 
-/// Whether both fail in a band, or in adjacent ones, in the same scalar.
-bool fail_together(const FailedBlock& a, const FailedBlock& b) {
-  return a.scalar == b.scalar && std::ranges::any_of(a.bands, [&](const BandOf& x) {
-           return x.fails && std::ranges::any_of(b.bands, [&](const BandOf& y) {
-                    return y.fails && x.band <= y.band + 1 && y.band <= x.band + 1;
-                  });
-         });
-}
-
-/// Whether half of the bands in which either fails are bands in which both do.
-bool share_bands(const FailedBlock& a, const FailedBlock& b) {
-  std::set<std::size_t> of_a, of_b, both;
-  for (const BandOf& x : a.bands)
-    if (x.fails) of_a.insert(x.band);
-  for (const BandOf& x : b.bands)
-    if (x.fails) of_b.insert(x.band);
-  std::ranges::set_intersection(of_a, of_b, std::inserter(both, both.end()));
-  return a.scalar == b.scalar && 3 * both.size() >= of_a.size() + of_b.size();
-}
-
 /// Adds each hard case that fails to the finding of its block or operation; returns the findings of the others.
 std::map<BlockKey, Finding> add_hard_cases(const std::vector<HardRow>& hard_cases,
                                            std::map<std::size_t, Finding>& by_root) {
@@ -181,9 +161,11 @@ class Groups {
         finding.ordinary = std::max(finding.ordinary, ordinary_loss(*block));
     }
     for (std::size_t i = 0; i < groups_.size(); ++i)
-      for (const std::size_t of_bands : groups_[i].of_bands)
-        if (const std::size_t by = root(of_bands); by != root(i) && all.contains(by))
-          all[by].partly.push_back(std::get<1>(keys_[i]));
+      for (const std::size_t k : causes_from(i))  // what fails as log6 does has its two causes
+        for (const auto& [of_bands, bands] : groups_[k].of_bands)
+          if (const std::size_t by = root(of_bands);
+              by != root(i) && all.contains(by) && fails_in(i, bands) && (k == i || groups_[k].cause))
+            all[by].partly.push_back(std::get<1>(keys_[i]));
     // Of two scalars with errors, the reader's is the wider one, if it loses two digits.
     for (auto& [first, finding] : all)
       std::ranges::stable_sort(finding.own, std::greater(), [&](const FailedBlock* f) {
@@ -195,6 +177,12 @@ class Groups {
  private:
   bool of_one_operation(std::size_t a, std::size_t b) const {
     return std::get<0>(keys_[a]) == std::get<0>(keys_[b]) && std::get<1>(keys_[a]) == std::get<1>(keys_[b]);
+  }
+  bool fails_in(std::size_t i, const std::set<std::size_t>& bands) const {
+    return std::ranges::any_of(groups_[i].blocks, [&](const FailedBlock* f) {
+      return std::ranges::any_of(
+          f->bands, [&](const BandOf& b) { return b.row->failed > 0 && bands.contains(b.band); });
+    });
   }
   const std::string& block_of(std::size_t i) const { return std::get<2>(keys_[i]); }
   const FailedBlock& worst_of(std::size_t i) const { return *groups_[i].blocks.front(); }
@@ -209,13 +197,14 @@ class Groups {
           const auto& [other_subject, other_operation, other_block] = keys_[k];
           if (k == i || other_subject != subject || other_operation != part) continue;
           if (part == operation && (!follows_within(block) || follows_within(other_block))) continue;
+          if (part != operation && passes_where_most_fail(worst_of(i), worst_of(k))) continue;
           const std::size_t rank = 2 * votes + (follows_within(other_block) == follows_within(block));
           if (rank > most) most = rank, groups_[i].cause = k;
         }
     }
   }
-  /// Of a group with a cause, the bands in which no other wrong operation explains its worst case, and it loses four digits where
-  /// the cause passes, or has an outcome that the cause has not.
+  /// Of a group with a cause, the bands in which no other wrong operation explains its worst case, and it loses four digits more than
+  /// the cause, or has an outcome that the cause has not.
   void find_bands_beside_causes() {
     using Outcomes = std::array<std::uint64_t, 4>;
     const auto outcomes_of = [](const Row& r) -> Outcomes {
@@ -223,34 +212,38 @@ class Groups {
     };
     for (Group& g : groups_) {
       if (!g.cause) continue;
-      std::map<std::pair<std::string, std::size_t>, std::pair<std::uint64_t, Outcomes>> of_cause;
+      struct OfCause {
+        double score = 0;
+        Outcomes outcomes = {};
+      };
+      std::map<std::pair<std::string, std::size_t>, OfCause> of_cause;
       for (std::size_t k = 0; k < groups_.size(); ++k)
         for (const FailedBlock* f : groups_[k].blocks)
           for (const BandOf& b : f->bands)
             if (of_one_operation(k, *g.cause)) {
-              auto& [failed, outcomes] = of_cause[{f->scalar, b.band}];
-              failed += b.row->failed;
+              auto& [score, outcomes] = of_cause[{f->scalar, b.band}];
+              score = std::max(score, b.row->failed > 0 ? b.row->worst_score : 0);
               std::ranges::transform(outcomes, outcomes_of(*b.row), outcomes.begin(), std::plus());
             }
       for (const FailedBlock* f : g.blocks) {
-        if (is_symptom(f->block)) continue;
+        if (f->block == "jump" || f->block == "twist") continue;
         Beside digits{f, {}, false}, outcome{f, {}, true};
         for (const BandOf& b : f->bands) {
           if (!b.fails || b.band == 0 || stop_requested) continue;
-          const auto& [failed, outcomes] = of_cause[{f->scalar, b.band}];
+          const auto& [score, outcomes] = of_cause[{f->scalar, b.band}];
           const Outcomes own = outcomes_of(*b.row);
           bool other = false;
           for (std::size_t i = 0; i < own.size(); ++i) other |= own[i] > 0 && outcomes[i] == 0;
-          if (!other && (failed > 0 || b.row->worst_score < 1e4)) continue;
+          if (!other && b.row->worst_score < 1e4 * std::max(score, 1.0)) continue;
           auto parts = causes_in(b, seed_, wrong_[f->subject]);
           if (parts && other) std::erase(*parts, f->operation);
           if (parts && parts->empty()) (other ? outcome : digits).bands.insert(b.band);
           if (parts && std::ranges::find(*parts, std::get<1>(keys_[*g.cause])) == parts->end())
             for (std::size_t k = 0; k < groups_.size(); ++k)  // which have another cause
               if (std::get<0>(keys_[k]) == f->subject && std::ranges::count(*parts, std::get<1>(keys_[k])))
-                g.of_bands.insert(k);
+                g.of_bands[k].insert(b.band);
         }
-        for (const Beside& one : {digits, outcome}) g.beside.push_back(one);
+        for (const Beside& one : {outcome, digits}) g.beside.push_back(one);
       }
     }
   }
@@ -289,8 +282,19 @@ class Groups {
     }
     return all;
   }
+  /// Whether an operation errs in a band by all but four digits of what a block does.
+  bool loses_as_much(const FailedBlock& f, const BandOf& band, std::string_view operation) const {
+    double most = 0;
+    for (const Group& g : groups_)
+      for (const FailedBlock* other : g.blocks)
+        for (const BandOf& b : other->bands)
+          if (other->subject == f.subject && other->scalar == f.scalar && other->operation == operation &&
+              b.band == band.band && b.row->failed > 0)
+            most = std::max(most, b.row->worst_score);
+    return band.row->worst_score <= 1e4 * std::max(most, 1.0);
+  }
   /// A block may have several causes: of bands that follow each other, those that another operation explains are that one's
-  /// alone, all of them if it explains two of three. If these are all of the ordinary angles, the others are, too.
+  /// alone, and if it explains two of three all in which it errs nearly as much. If these are all of the ordinary angles, the others are, too.
   void leave_bands_to_their_causes() {
     for (std::size_t i = 0; i < groups_.size(); ++i)
       for (FailedBlock* f : groups_[i].blocks) {
@@ -303,17 +307,21 @@ class Groups {
           for (std::size_t i = first; i < last && !stop_requested; ++i) {
             const auto parts = causes_in(f->bands[i], seed_, wrong_[f->subject]);
             if (!parts) continue;
-            const auto at = std::ranges::find_if(*parts, [&](auto part) { return part != f->operation; });
+            const auto at = std::ranges::find_if(*parts, [&](auto part) {
+              return part != f->operation && loses_as_much(*f, f->bands[i], part);
+            });
             if (at != parts->end()) explained.push_back(i), by = *at;
           }
           if (3 * explained.size() < 2 * (last - first)) continue;
+          std::set<std::size_t> bands;
           for (std::size_t i = first; i < last; ++i) {
-            f->bands[i].fails = false;
+            if (!std::ranges::count(explained, i) && !loses_as_much(*f, f->bands[i], by)) continue;
+            f->bands[i].fails = false, bands.insert(f->bands[i].band);
             if (is_ordinary(f->bands[i].series->bands()[f->bands[i].band])) other = by;
           }
           for (std::size_t k = 0; k < groups_.size(); ++k)
             if (std::get<0>(keys_[k]) == f->subject && std::get<1>(keys_[k]) == by)
-              groups_[i].of_bands.insert(k);
+              groups_[i].of_bands[k].insert(bands.begin(), bands.end());
         }
         if (!other.empty() && std::ranges::none_of(f->bands, fails_ordinarily)) {
           f->bands = before;
@@ -332,16 +340,18 @@ class Groups {
         if (!groups_[k].cause && of_one_operation(i, k) && share_bands(worst_of(i), worst_of(k)))
           groups_[i].cause = k;
   }
+  /// The group i, its cause, the cause of that, and so on.
+  std::vector<std::size_t> causes_from(std::size_t i) const {
+    std::vector<std::size_t> seen{i};
+    while (groups_[i].cause && !std::ranges::count(seen, *groups_[i].cause))
+      seen.push_back(i = *groups_[i].cause);
+    return seen;
+  }
   /// The group at the end of the causes of i; of groups that cause each other, the first.
   std::size_t root(std::size_t i) const {
-    std::vector<std::size_t> seen{i};
-    while (groups_[i].cause) {
-      i = *groups_[i].cause;
-      if (const auto at = std::ranges::find(seen, i); at != seen.end())
-        return *std::min_element(at, seen.end());
-      seen.push_back(i);
-    }
-    return i;
+    const std::vector<std::size_t> seen = causes_from(i);
+    const auto& cause = groups_[seen.back()].cause;
+    return cause ? *std::min_element(std::ranges::find(seen, *cause), seen.end()) : seen.back();
   }
 
   std::uint64_t seed_;

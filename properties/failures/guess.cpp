@@ -50,6 +50,18 @@ std::string of_branch_near_pi(const FailedBlock& f) {
   return "the sign of w near pi: where w is just below 0, the shorter rotation is about the opposite axis";
 }
 
+/// Whether the result of the rotation by 0, as a quaternion, a matrix or a rotation vector, is NaN or infinite, or is refused.
+bool is_nan_at_identity(const FailedBlock& f) {
+  const Operation& operation = *f.worst->series->outputs.at(f.worst->output).record;
+  std::size_t size = 0;
+  for (const Layout* l : operation.arguments) size += static_cast<std::size_t>(conventions::size_of(*l));
+  std::vector<double> identity(size, 0);
+  if (size == 4) identity[3] = 1;
+  if (size == 9) identity[0] = identity[4] = identity[8] = 1;
+  const std::vector<double> result = result_of(*f.worst->series, operation, identity);
+  return result.empty() || std::ranges::any_of(result, [](double x) { return !std::isfinite(x); });
+}
+
 /// What NaN and infinite results tell.
 std::string of_not_finite(const FailedBlock& f) {
   double largest = -1;
@@ -71,7 +83,7 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
-  if (operation_of(f).starts_with("axis_angle") && at_zero && largest > 0)
+  if (operation_of(f).starts_with("axis_angle") && at_zero && largest > 0 && is_nan_at_identity(f))
     return fmt::format("0/0 for theta < {}: the vector part has length 0", power_of_ten(largest));
   if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
@@ -85,7 +97,9 @@ std::string of_not_finite(const FailedBlock& f) {
   if (beyond) return "";
   if (largest == 0) return elsewhere * 4 > f.failed ? "" : "0/0 at theta = 0";
   if (operation_of(f) == "relative_angle") return "acos of a number above 1";
-  if (has_angle(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
+  if (operation_of(f).starts_with("axis_angle") || (has_angle(f) && largest > 1e-100))
+    return is_nan_at_identity(f) ? "0/0 at small theta, or acos of a number above 1"
+                                 : "acos of a number w above 1, or the root of 1 - w^2";
   if (elsewhere * 4 > f.failed * 3) return "";  // NaN in less than a quarter of the failures
   return zero ? fmt::format("0/0 for theta < {}", power_of_ten(largest))
               : "theta^2 underflows to 0, and then something is divided by it";
@@ -240,7 +254,7 @@ std::string near_gimbal_lock(const FailedBlock& f) {
   const auto c = condition_of(*f.worst->series, f.worst->output, any_seed);
   if (!c || c->feature != Feature::lock) return "";
   const ErrorsOver errors = errors_over(*c);
-  if (f.worst->row->not_finite > 0) {
+  if (4 * f.worst->row->not_finite > f.worst->row->failed) {
     for (const NotedCall& call : sampled_calls(*f.worst->series, f.worst->output))
       if (call.result.size() == 3 &&
           std::isfinite(call.result[1]) &&  // the middle angle has an asin, the others quotients
@@ -353,8 +367,10 @@ std::string guess_of(const FailedBlock& f) {
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
   if (std::string guess = of_double ? of_calls(float_of) : ""; !guess.empty()) return guess;
+  const bool of_value = !f.block.ends_with("defect");  // a change of the arguments leaves a norm as it is
   for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
-    if (std::string guess = of_calls(cause); !guess.empty()) return guess;
+    if (std::string guess = of_value || cause == norm_power_of ? of_calls(cause) : ""; !guess.empty())
+      return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   // A constant that is cut has nine digits at most, and an iteration that ends too early gives four at least.
   const bool few_digits = m.largest > 0x1p-30 && m.largest < 0x1p-14;

@@ -76,6 +76,15 @@ std::string lines_of(const FailedBlock& part, const std::string& name, bool of_o
       plain_failure(series, worst, output, bands, !of_outcome && worst_outcome(*most->row).empty());
   if (!s) s = shrink(series, worst, output, 500);
   if (!s->reproduced) return "";
+  // A simpler input may fail for the reason that the finding tells already.
+  if (std::ranges::find(bands, s->judged.residual.band, &BandOfFailure::band) == bands.end()) {
+    const std::vector<double> x = series.numbers(worst);
+    const auto judged = series.measure(x);
+    const auto own = std::ranges::find_if(
+        judged, [&](const Judged& j) { return j.failed && j.residual.output == output; });
+    if (own == judged.end()) return "";
+    s = case_with(series, worst, x, *own);
+  }
   const NotedCase all = noted(series, s->id, most->output);
   const Output& of = series.outputs.at(most->output);
   const NotedCall* const call = worst_call(of, all);
@@ -88,8 +97,10 @@ std::string lines_of(const FailedBlock& part, const std::string& name, bool of_o
   const double score = score_of(series, s->judged);
   const bool less =
       s->judged.residual.outcome == Outcome::measured && 10 * score < std::min(part.score, 1 / series.eps);
-  return fmt::format("   also     {}{}, {}: {}\n            {}{}\n", name, what, where_of(part), called,
-                     number, less ? ": " + digits_lost(score, series.eps) : "");
+  const std::string where = where_of(part);
+  const bool several = where.find(", ") != where.npos && worst_outcome(*most->row, of_outcome).empty();
+  return fmt::format("   also     {}{}{}, {}: {}\n            {}{}\n", name, what, several ? " at worst" : "",
+                     where, called, number, less ? ": " + digits_lost(score, series.eps) : "");
 } catch (const GivenUp&) {
   return "";
 }

@@ -44,16 +44,16 @@ std::string Shape::near_pi() const {
         border(p(wrong - 1), p(wrong)));
   if (keeps_half())
     return fmt::format("{}, which keeps half of the digits near pi; atan2 of both parts does not",
-                       operation_of(f_) == "angle_between" ? "acos near -1" : "asin of a number near 1");
+                       operation_of(f_) == "angle_between" ? "acos near -1" : "acos near -1, or asin near 1");
   // Nearer to pi than the root of eps, the results of any formula are lost, or on another branch.
   if (const auto start = sharp_start(); start && p(*start).low > root_)
     return fmt::format(
         "a threshold at pi - theta about {}: beyond it something is divided by sin(theta) or "
         "sqrt(1 + trace), which cancel near pi",
         border(p(*start), p(*start - 1)));
-  if (is_of_cosine() &&
-      (operation_of(f_).starts_with("log3_quaternion") || operation_of(f_) == "relative_angle"))
-    return "asin of a number near 1, which keeps half of the digits near pi; atan2 of both parts does not";
+  if (is_of_cosine() && (operation_of(f_).starts_with("log3_quaternion") || has_angle(f_)))
+    return fmt::format("{}, which keeps half of the digits near pi; atan2 of both parts does not",
+                       operation_of(f_) == "angle_between" ? "acos near -1" : "acos near -1, or asin near 1");
   if (is_of_cosine())
     return fmt::format(
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: "

@@ -57,7 +57,7 @@ struct Climb {
 
   /// Stores the input if its measurement is the worst of its band and island, or of all.
   void take(const Judged& j, const std::vector<double>& input, std::size_t island, std::uint64_t evaluation) {
-    // A refusal concerns the whole law, although it is recorded under one output.
+    // A refusal concerns all blocks of an operation, although it is recorded under one.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
     if (j.residual.outcome == Outcome::outside_domain) return;
     if (leaves_open(j.residual.outcome) && worst.open++ == 0) worst.first_open_id = raw_id(input);
@@ -133,7 +133,8 @@ HuntResult hunt_in(const Series& series, const HuntOptions& options) {
     try {
       for (const Judged& j : series.measure(x, limits))
         if (!series.expected(j.residual.output, j.residual.band))
-          for (Climb& c : climbs) c.take(j, x, island, result.evaluations);
+          if (series.outputs.at(static_cast<std::size_t>(j.residual.output)).operation == options.operation)
+            for (Climb& c : climbs) c.take(j, x, island, result.evaluations);
     } catch (const GivenUp&) {  // the search ends
       --result.evaluations;
     }

@@ -237,7 +237,7 @@ TEST(Terminal, TheShapeOfTheErrorTellsTheCause) {
       {"bug:difference_naive", "perhaps a missing series: the formula cancels as theta goes to 0"},
       {"bug:log_acos_w",
        "perhaps acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of "
-       "both parts does not; and acos of a number above 1"},
+       "both parts does not; and acos of a number w above 1"},
       {"bug:log_no_sign", "perhaps the sign of w is not looked at"},
       {"bug:log_transposed", "log is that of the inverse"},
       {"bug:rate_narrow_constant", "perhaps a constant or a step of the calculation has too few digits"},

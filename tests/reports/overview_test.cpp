@@ -137,20 +137,17 @@ TEST(Findings, SayWhichInputsHeadingAndMarksAreOf) {
                    "the heading does not count"));
 }
 
-TEST(Findings, CountTheHardCasesOfTheirOperationApart) {
-  Json hard = Json::array();
-  for (const auto& [name, operation] :
-       {std::pair("a", "exp6"), {"b", "exp6"}, {"c", "log6"}, {"d", "act_point"}}) {
-    Json one = with(hard_case("mine", "not finite"), "/cells/0/operation", operation);
-    one["name"] = name;
-    hard.push_back(one);
-  }
+TEST(Findings, LinkTheirHardCasesAndSayHowManyFollow) {
   const Json all =
-      Json::array({finding("1  exp6 (translation): bad\n   so       log6 fails in the same way\n"
-                           "   hard     3 hard cases of these operations fail: a, ...\n")});
-  const std::string text =
-      findings_section(Looks(merged({ordinary(9)}, {{"findings", all}, {"hard_cases", hard}})));
-  EXPECT_TRUE(has(text, "2 of exp6 fail, too: a, …; and 1 of log6, which fails in the same way")) << text;
+      Json::array({finding("1  exp6 (translation): bad\n"
+                           "   hard     3 of the hard cases fail worst in these blocks: a, ...\n")});
+  const auto text = [&](const Json& more) { return findings_section(Looks(merged({ordinary(9)}, more))); };
+  const std::string alone = text({{"findings", all}});
+  EXPECT_TRUE(has(alone, "<a href=\"#stability\">3 of the hard cases fail worst in these blocks: a, ...</a>"))
+      << alone;
+  EXPECT_TRUE(has(alone, "What is wrong: 1 finding<")) << alone;
+  EXPECT_TRUE(has(text({{"findings", all}, {"further_findings", 4}}),
+                  "What is wrong: 1 of 5 findings, first what costs most; "));
 }
 
 TEST(Findings, EndWithTheOperationsThatNoneOfThemNames) {

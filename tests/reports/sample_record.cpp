@@ -219,6 +219,7 @@ Json full_record() {
  "scales": [1, 100],
  "panels": [{"block": "translation", "errors": [[0.5, "inf"], [2e7, null]], "operation": "exp6",
    "property": "exp_oracle", "scalar": "double", "subject": "textbook"}]})json");
+  all["further_findings"] = 2;
   all["hard_cases"] = Json::array({hard_case("liecheck", "refused")});
   all["hard_cases"][0]["place"] = "zero.txt:3";
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
