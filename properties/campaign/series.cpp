@@ -380,6 +380,14 @@ bool gives_no_rotations(const Statement& law) {
 
 }  // namespace
 
+std::vector<std::string_view> Series::formed_from(const Operation& quantity) const {
+  std::vector<std::string_view> all;
+  for (const Formed& f : law_->statement().formed)
+    if (f.quantity == &quantity)
+      for (const Operation* from : f.from) all.push_back(from->name);
+  return all;
+}
+
 auto Series::scope_of(const std::vector<double>& x) const -> Scope {
   Scope scope;
   scope.subject = &subject_;

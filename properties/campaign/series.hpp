@@ -60,6 +60,8 @@ class Series {
   std::vector<Judged> replay(const CaseId& id) const { return measure_twice(numbers(id)); }
 
   const Property& tested_law() const { return *law_; }
+  /// The names of the operations from whose results the law forms a quantity; none of the result of an operation.
+  std::vector<std::string_view> formed_from(const Operation& quantity) const;
   const Subject& tested_subject() const { return subject_; }
   const Limits& limits() const { return limits_; }
 

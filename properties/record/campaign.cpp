@@ -3,7 +3,6 @@
 #include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
 #include <campaign/expected.hpp>
-#include <invariants/property.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <set>
@@ -57,7 +56,7 @@ json parts_of(const Layouts& layouts) {
 
 /// Name, defining equation, source, axes, arguments, results, the call of liecheck's own function, and the functions
 /// from whose results a law forms it.
-json definition_of(const Operation& o, const Property& law) {
+json definition_of(const Operation& o, const Series& series) {
   json all = {{"operation", o.name},
               {"definition", o.definition},
               {"source", o.source},
@@ -65,9 +64,7 @@ json definition_of(const Operation& o, const Property& law) {
               {"arguments", parts_of(o.arguments)},
               {"results", parts_of(o.results)},
               {"expression", o.call.expression}};
-  for (const auto& f : law.statement().formed)
-    if (f.quantity == &o)
-      all["formed_from"] = list_of(f.from, [](const Operation* from) { return from->name; });
+  if (const auto from = series.formed_from(o); !from.empty()) all["formed_from"] = from;
   return all;
 }
 
@@ -153,8 +150,7 @@ Results results_of(const CampaignResult& r) {
   for (const auto& [series, tally] : r.series)
     for (const auto& [cell, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(cell.first));
-      if (operations.insert(o.record).second)
-        all.operations.push_back(definition_of(*o.record, series->tested_law()));
+      if (operations.insert(o.record).second) all.operations.push_back(definition_of(*o.record, *series));
       if (blocks.insert(o.definition).second) all.blocks.push_back(definition_of(o));
       all.rows.push_back(row_record(*series, cell, row, r.options.seed));
     }
