@@ -126,14 +126,6 @@ bool differs_from_all(const Judged& j, const std::vector<Judged>& others) {
   return any;
 }
 
-/// Whether the law forms an output from results of an operation.
-bool is_formed_from(const Property& law, const Output& output, std::string_view operation) {
-  return std::ranges::any_of(law.statement().formed, [&](const Formed& f) {
-    return f.quantity == output.record &&
-           std::ranges::any_of(f.from, [&](const Operation* o) { return o->name == operation; });
-  });
-}
-
 /// Measures with every call checked, so that one that changes the arithmetic does not reach the oracles.
 std::vector<Judged> measured_with_checks(const Series& series, const std::vector<double>& x) {
   const Series::Checking checking(series);
@@ -450,7 +442,8 @@ void Series::record_thrown(const std::exception& thrown, const std::vector<doubl
   auto of = std::ranges::find(outputs, operation, &Output::operation);
   if (of == outputs.end())  // what the law forms next from results of the operation
     of = std::ranges::find_if(outputs, [&](const Output& o) {
-      return is_formed_from(*law_, o, operation) && std::ranges::none_of(judge.judged, [&](const Judged& j) {
+      return std::ranges::count(formed_from(*o.record), operation) &&
+             std::ranges::none_of(judge.judged, [&](const Judged& j) {
                return outputs[j.residual.output].definition == o.definition;
              });
     });
@@ -542,7 +535,8 @@ void Series::Checking::judge(std::vector<Judged>& judged) const {
       return series_.outputs[j.residual.output].record == f.operation;
     };
     const auto is_formed = [&](const Judged& j) {
-      return is_formed_from(*series_.law_, series_.outputs[j.residual.output], f.operation->name);
+      return std::ranges::count(series_.formed_from(*series_.outputs[j.residual.output].record),
+                                f.operation->name) > 0;
     };
     const bool own_rows = std::ranges::any_of(judged, is_own),
                formed_rows = std::ranges::any_of(judged, is_formed);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <search/plain.hpp>
 #include <span>
+#include <support/line_fit.hpp>
 
 namespace liecheck::properties {
 
@@ -111,11 +112,11 @@ class Shape {
   }
   /// The slope of y over x where the error is above its limit, from a band on; 0 in fewer than three bands.
   double slope_from(std::size_t first) const {
-    double n = 0, x = 0, sum = 0, xx = 0, xy = 0;
+    LineFit fit;
     for (const BandPoint& q : std::span(points_).subspan(first))
-      if (q.y > 0.5) ++n, x += q.x, sum += q.y, xx += q.x * q.x, xy += q.x * q.y;
-    if (n < 3) return 0;
-    const double of_bands = (n * xy - x * sum) / (n * xx - x * x);
+      if (q.y > 0.5) fit.add(q.x, q.y);
+    if (fit.count() < 3) return 0;
+    const double of_bands = fit.slope();
     // Of few random inputs in each band.
     const double of_plain = slope_of_errors(*f_.worst->series, static_cast<int>(f_.worst->output),
                                             p(first).low, 1, axis_ != Axis::theta);

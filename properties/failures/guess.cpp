@@ -20,6 +20,7 @@
 #include <optional>
 #include <search/condition.hpp>
 #include <set>
+#include <support/line_fit.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -196,19 +197,20 @@ struct ErrorsOver {
 };
 ErrorsOver errors_over(const Condition& c) {
   ErrorsOver all;
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0, as_large = 0;
+  LineFit fit;
+  double as_large = 0;
   for (const auto& [value, error] : c.errors) {
     const double a = std::log(value), b = std::log(error);
     if (!std::isfinite(a) || !std::isfinite(b)) continue;
-    ++n, x += a, y += b, xx += a * a, xy += a * b;
+    fit.add(a, b);
     if (error > 1e-3) all.wrong_up_to = value;
     const bool like = error > 0.05 * value && error < 3 * value;
     as_large += like;
-    if (like && as_large >= 3 && as_large >= 0.8 * n) all.as_large_up_to = value, all.less_from = -1;
+    if (like && as_large >= 3 && as_large >= 0.8 * fit.count())
+      all.as_large_up_to = value, all.less_from = -1;
     if (!like && all.less_from < 0) all.less_from = value;
   }
-  const double spread = n * xx - x * x;
-  if (n >= 5 && spread > 0) all.slope = (n * xy - x * y) / spread;
+  if (fit.count() >= 5) all.slope = fit.slope();
   return all;
 }
 

@@ -59,8 +59,8 @@ FailedBlock beside_another(const FailedBlock& f, const FailedBlock& first, std::
 
 /// The lines of a part, with an example; "" if no input fails alone.
 std::string lines_of(const FailedBlock& part, const std::string& name, bool of_outcome,
-                     const CampaignResult& campaign) try {
-  if (!part.worst || part.block == "sign") return "";
+                     const CampaignResult& campaign, std::uint64_t fewest = least) try {
+  if (!part.worst || part.failed < fewest || part.block == "sign") return "";
   // The outcome of a band may be rarer than its errors, so the example is of the band in which it is most frequent.
   const BandOf* most = part.worst;
   for (const BandOf& b : part.bands)
@@ -111,9 +111,10 @@ SecondWays second_ways(const Finding& finding, const CampaignResult& campaign) {
   const FailedBlock& first = *finding.own.front();
   SecondWays ways;
   std::vector<std::string> named;
-  const auto add = [&](const FailedBlock& part, const std::string& name, bool of_outcome = false) {
+  const auto add = [&](const FailedBlock& part, const std::string& name, bool of_outcome = false,
+                       std::uint64_t fewest = least) {
     if (std::ranges::find(named, name) != named.end() || named.size() >= most_lines) return false;
-    const std::string lines = lines_of(part, name.empty() ? "" : name + ": ", of_outcome, campaign);
+    const std::string lines = lines_of(part, name.empty() ? "" : name + ": ", of_outcome, campaign, fewest);
     if (lines.empty()) return false;
     ways.text += lines, named.push_back(name);
     return true;
@@ -139,7 +140,7 @@ SecondWays second_ways(const Finding& finding, const CampaignResult& campaign) {
         f->block == "jump")
       continue;
     const FailedBlock part = beside_another(*f, first, campaign.options.seed);
-    if (add(part, f->block) && count(part) == count(*f)) ways.apart.insert(f->block);
+    if (add(part, f->block, false, 1) && count(part) == count(*f)) ways.apart.insert(f->block);
   }
   for (const Beside& beside : finding.beside)
     if (beside.block->scalar == first.scalar)

@@ -11,7 +11,6 @@ bool Shape::falls_above() const {
 
 std::string Shape::near_pi() const {
   if (size() < 4) return "";
-  const double power = slope();
   if (falls_above() && is_rotation_vector(f_))
     return "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as 1 "
            "/ (pi - theta)^2";
@@ -33,7 +32,7 @@ std::string Shape::near_pi() const {
     if (lost > 1 && lost < size() && p(lost).y < 1 && p(lost).low < 1.01 * p(lost - 1).high)
       return fmt::format("a threshold between pi - theta = {} and {}, below which the result is wrong",
                          power_of_ten(p(lost - 1).low), power_of_ten(p(lost - 1).high));
-    if (p(0).y > steep && power < -0.5)
+    if (p(0).y > steep && slope() < -0.5)
       return "1 + cos(theta), or the cross product of the arguments, cancels where they are nearly opposite";
     return "";
   }
@@ -59,10 +58,11 @@ std::string Shape::near_pi() const {
         "1 + cos(theta) cancels near pi, and is 0 where pi - theta is below about {}: "
         "(1 + cos(theta)) / sin(theta) is 1 / tan(theta / 2)",
         short_angle(root_));
-  if (p(0).y > steep && power < -0.5 && power > -2.5 && returns_quaternion(f_))
+  const double power = p(0).y > steep ? slope() : 0;
+  if (power < -0.5 && power > -2.5 && returns_quaternion(f_))
     return "a quaternion from a rotation matrix: something is divided by w = sqrt(1 + trace) / 2, which "
            "cancels near pi";
-  if (p(0).y > steep && power < -0.5 && power > -2.5)
+  if (power < -0.5 && power > -2.5)
     return fmt::format(
         "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as "
         "1 / (pi - theta){}",

@@ -10,10 +10,11 @@ std::string Shape::at_small_angles() const {
   const bool to_one = peak_ + 1 == size() && p(peak_).high == 1 && moderate_angles_pass(f_),
              ends_below = peak_ > 0 && falls(peak_ - 1),
              ends_above = to_one || (peak_ + 1 < size() && falls(peak_ + 1));
-  const double power = slope();
+  const double of_vector = is_rotation_vector(f_) ? slope() : 0;
   // Below the root of eps the cosine is 1, and its acos is 0. The angle between two quaternions errs by chance there.
-  if (is_rotation_vector(f_) ? power < -1.5 && power > -2.5 && (!ends_below || near_root(p(peak_).low))
-                             : is_acos_of_angle())
+  if (is_rotation_vector(f_)
+          ? of_vector < -1.5 && of_vector > -2.5 && (!ends_below || near_root(p(peak_).low))
+          : is_acos_of_angle())
     return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
            "does not";
   if (is_rotation_vector(f_) && std::ranges::count_if(points_, &BandPoint::opposite) > 1 &&
@@ -53,6 +54,7 @@ std::string Shape::at_small_angles() const {
       p(peak_).many_fail() && y(peak_ - 1) > 0 && y(peak_ + 1) > 0)
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        power_of_ten(y(peak_ + 1) > y(peak_ - 1) ? p(peak_).high : p(peak_).low));
+  const double power = is_rotation_vector(f_) ? of_vector : slope();
   if (power > -0.5 || p(0).y < y(peak_) - steep) return "";
   if (operation_of(f_).starts_with("log3_quaternion") || operation_of(f_) == "log3_any_norm") {
     std::uint64_t cases = 0, failed = 0;  // half of the stored quaternions have w < 0

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
-#include <invariants/property.hpp>
 #include <map>
 
 namespace liecheck::properties {
@@ -13,12 +12,8 @@ namespace {
 
 /// Whether an output is of an operation, or formed from it.
 bool is_of(const Output& output, const Series& series, const std::string& operation) {
-  if (output.operation == operation) return true;
-  for (const Formed& formed : series.tested_law().statement().formed)
-    if (formed.quantity == output.record &&
-        std::ranges::any_of(formed.from, [&](const Operation* o) { return o->name == operation; }))
-      return true;
-  return false;
+  return output.operation == operation ||
+         std::ranges::count(series.formed_from(*output.record), operation) > 0;
 }
 
 enum class Found { unmeasured, right, wrong };

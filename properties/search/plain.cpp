@@ -5,6 +5,7 @@
 #include <cmath>
 #include <invariants/property.hpp>
 #include <numbers>
+#include <support/line_fit.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -146,11 +147,15 @@ struct Choice {
   double sign;
 };
 std::vector<Choice> choices_of(const Series& series) {
+  const auto of_kind = [&](auto is) { return std::ranges::count_if(series.fields, is, &Field::kind); };
+  const bool any_sign =
+      of_kind([](Kind k) { return k == Kind::quaternion || k == Kind::any_quaternion; }) > 0;
+  const bool one_turns = of_kind(turns) == 1;  // which is all of them
   std::vector<Choice> all;
-  for (const double sign : {1.0, -1.0})
+  for (const double sign : any_sign ? std::vector{1.0, -1.0} : std::vector{1.0})
     for (std::size_t turned = series.fields.size() + 1; turned-- > 0;)
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if (turned == series.fields.size() || turns(series.fields[turned].kind))
+        if (turned == series.fields.size() || (!one_turns && turns(series.fields[turned].kind)))
           all.push_back({turned, axis, sign});
   return all;
 }
@@ -262,20 +267,19 @@ class LargestErrors {
 
 double slope_of_errors(const Series& series, int output, double low, double high, bool from_pi) try {
   const LargestErrors largest(series, output, from_pi);
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  LineFit fit;
   for (double at = low; at <= high && !stop_requested; at *= next_angle) {
     const double error = largest(at);
     if (error < 3 || error * series.eps > 1e-4) continue;
-    const double a = std::log(at), b = std::log(error);
-    ++n, x += a, y += b, xx += a * a, xy += a * b;
+    fit.add(std::log(at), std::log(error));
   }
-  return n < 6 ? 0 : (n * xy - x * y) / (n * xx - x * x);
+  return fit.count() < 6 ? 0 : fit.slope();
 } catch (const GivenUp&) {  // a signal ended a call
   return 0;
 }
 
 std::optional<ErrorStep> step_of_errors(const Series& series, int output, double low, double high,
-                                   bool from_pi) try {
+                                        bool from_pi) try {
   const LargestErrors largest(series, output, from_pi);
   std::optional<ErrorStep> steepest;
   double factor = LargestErrors::least_factor, below = largest(low);
