@@ -19,7 +19,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct BoundsFlags {
   BoundOptions options;
   std::string claim, state, json;
 };
@@ -52,7 +52,7 @@ void run_bounds(BoundOptions options, const std::function<void(const ProvedBound
   prove_bounds(options, done);
 }
 
-int run(const Flags& f) {
+int run(const BoundsFlags& f) {
   BoundOptions o = f.options;
   if (o.operations.empty()) o.operations = proved_operations();
   double claim = 0;
@@ -114,7 +114,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command bounds_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<BoundsFlags> a(
       lab, "bounds",
       "prove upper bounds of the errors of whole operations. They hold for liecheck in double, "
       "and stand beside the largest errors that searches found. Exit code 0 if they agree; 1 if a search "

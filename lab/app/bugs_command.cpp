@@ -14,7 +14,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct BugsFlags {
   BugBench bench;  ///< seed, scalar and seconds; a look-alike gets a tenth of the seconds and cases
   std::uint64_t cases = 0;
   bool causes = false;
@@ -73,7 +73,7 @@ void print_summary(const BugBench& b) {
 }
 
 /// Prints the bench of causes: each form, then a table by cause.
-int run_causes(const Flags& f) {
+int run_causes(const BugsFlags& f) {
   stop_on_signals();
   std::map<std::string, std::map<Named, std::size_t>> table;
   for (const CauseRow& row : bench_of_causes(f.bench.seed)) {
@@ -92,7 +92,7 @@ int run_causes(const Flags& f) {
   return stop_requested ? incomplete : within_budget;
 }
 
-int run(const Flags& f) {
+int run(const BugsFlags& f) {
   if (f.causes) return run_causes(f);
   const Robot robot = f.robot.read();
   stop_on_signals();
@@ -121,7 +121,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command bugs_command(CLI::App& lab) {
-  CommandWith<Flags> a(lab, "bugs",
+  CommandWith<BugsFlags> a(lab, "bugs",
                        "measure how soon the laws find each known bug, beside four weaker styles of test. "
                        "Exit code 0 if all bugs are found and every look-alike passes; 1 otherwise; 2 for "
                        "bad input; 3 if stopped, or if a case of a look-alike has no verdict");

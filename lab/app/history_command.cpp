@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct HistoryFlags {
   HistoryBench bench;
   bool list = false;
   std::string json;
@@ -54,7 +54,7 @@ void print_summary(const HistoryBench& b) {
       b.cases, b.from, b.count("not expressed"), b.seed);
 }
 
-int run(const Flags& f) {
+int run(const HistoryFlags& f) {
   if (f.list) {
     say("{}", history_table());
     return within_budget;
@@ -80,7 +80,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command history_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<HistoryFlags> a(
       lab, "history",
       "measure how soon the laws find bugs that were reported against real libraries. Check that the "
       "repaired forms and the controls pass. Exit code 0 if so; 1 if a bug is not found or a "

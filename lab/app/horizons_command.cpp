@@ -18,7 +18,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct HorizonsFlags {
   HorizonOptions options;
   std::vector<std::string> subjects, scalars, walks;
   std::string json;
@@ -57,7 +57,7 @@ nlohmann::json json_of(const Horizon& h, const Status& status) {
           {"status", status.word},          {"why", status.why},    {"points", points}};
 }
 
-int run(const Flags& f) {
+int run(const HorizonsFlags& f) {
   HorizonOptions o = f.options;
   if (!f.subjects.empty()) o.subjects = without_repeats(f.subjects);
   if (!f.scalars.empty()) o.scalars = without_repeats(f.scalars);
@@ -116,7 +116,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command horizons_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<HorizonsFlags> a(
       lab, "horizons",
       "measure the drift over many calls: the drift of norm and attitude over many calls of "
       "integrate, of products with a "

@@ -12,7 +12,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct LatticeFlags {
   LatticeOptions options;
   unsigned percent = 0;
   bool conditions = false;
@@ -96,7 +96,7 @@ void print_told(const LatticeResult& r, bool each) {
       asked, told[Told::right], told[Told::other], told[Told::silent]);
 }
 
-int run(const Flags& f) {
+int run(const LatticeFlags& f) {
   const Robot robot = built_in_robot();
   stop_on_signals();
   LatticeOptions options = f.options;
@@ -119,7 +119,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command lattice_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<LatticeFlags> a(
       lab, "lattice",
       "plant thousands of small faults in correct subjects. Each is active only under a "
       "condition on the arguments; count the cases until a law finds it. Exit code 0 if "

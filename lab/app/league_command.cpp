@@ -27,7 +27,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct LeagueFlags {
   std::string question, out, record, adapters, before, after, adapter, found, library;
   bool run_recorded = false;
   RobotFlags robot;
@@ -58,7 +58,7 @@ json new_record(const league::MeasureOptions& o) {
 }
 
 /// The record in the file, if it is of the same version, seed and cases, to be continued; otherwise a new one.
-json begun(const Flags& f) {
+json begun(const LeagueFlags& f) {
   json record = new_record(f.options);
   if (f.record.empty() || !std::filesystem::exists(f.record)) return record;
   const json earlier = league::read_league(f.record);
@@ -76,7 +76,7 @@ bool has(const json& record, const league::Entry& e) {
   return std::ranges::any_of(record["libraries"], [&](const json& l) { return l["adapter"] == e.adapter; });
 }
 
-std::vector<league::Entry> chosen(const Flags& f) {
+std::vector<league::Entry> chosen(const LeagueFlags& f) {
   auto all = league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters);
   check_known(f.only, names_of(all, &league::Entry::name), "--only", "library");
   if (!f.only.empty())
@@ -86,7 +86,7 @@ std::vector<league::Entry> chosen(const Flags& f) {
 }
 
 /// Measures what the record does not have. Each library runs in a process of its own, so that none can end the league.
-void measure_all(const std::vector<league::Entry>& entries, const Flags& f, json& record) {
+void measure_all(const std::vector<league::Entry>& entries, const LeagueFlags& f, json& record) {
   Progress progress("league");
   std::size_t done = 0;
   for (const league::Entry& e : entries) {
@@ -139,7 +139,7 @@ void print_league(const json& record, const std::string& question) {
     say("absent: {}; to get it: {}\n", a["name"].get<std::string>(), a["get"].get<std::string>());
 }
 
-int run(const Flags& f) {
+int run(const LeagueFlags& f) {
   const auto entries = chosen(f);
   if (!f.out.empty()) check_writable(f.out);
   if (!f.record.empty()) check_writable(f.record);
@@ -159,7 +159,7 @@ int run(const Flags& f) {
   return record["verdict"] == "complete" ? within_budget : incomplete;
 }
 
-int measure(const Flags& f) {
+int measure(const LeagueFlags& f) {
   if (!f.found.empty()) {
     say("{}\n", dumped(league::measured_found(f.found, f.library, f.adapter)));
     return within_budget;
@@ -170,13 +170,13 @@ int measure(const Flags& f) {
   return within_budget;
 }
 
-league::Trust trust_of(const Flags& f) {
+league::Trust trust_of(const LeagueFlags& f) {
   return {league::read_roster(f.adapters.empty() ? league::built_in_roster() : f.adapters), f.record,
           f.run_recorded};
 }
 
 /// Measures the defects of a record again, and writes the record and the page.
-int found(const Flags& f) {
+int found(const LeagueFlags& f) {
   const json record = league::read_found(f.record);
   const league::Trust trust = trust_of(f);
   stop_on_signals();
@@ -188,7 +188,7 @@ int found(const Flags& f) {
   return again.same ? within_budget : property_failed;
 }
 
-int findings(const Flags& f) {
+int findings(const LeagueFlags& f) {
   if (league::is_found(f.record)) return found(f);
   const json record = league::read_league(f.record);
   const league::Trust trust = trust_of(f);
@@ -197,7 +197,7 @@ int findings(const Flags& f) {
   return stop_requested ? incomplete : within_budget;
 }
 
-int changed(const Flags& f) {
+int changed(const LeagueFlags& f) {
   say_text(league::changes(league::read_league(f.before), league::read_league(f.after)));
   return within_budget;
 }
@@ -205,7 +205,7 @@ int changed(const Flags& f) {
 }  // namespace
 
 Command league_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<LeagueFlags> a(
       program, "league",
       "measure all libraries that have an adapter, side by side. Exit code 0; 2 for bad input; 3 if "
       "stopped, or if a library could not be measured");
@@ -223,7 +223,7 @@ Command league_command(CLI::App& program) {
 }
 
 Command league_measure_command(CLI::App& league) {
-  CommandWith<Flags> a(league, "measure",
+  CommandWith<LeagueFlags> a(league, "measure",
                        "measure one library and print its part of the record, for the command league");
   a.text("ADAPTER", a->adapter, "", "as --adapter of a campaign takes it").required();
   a.text("--limits", a->options.limits, "FILE", "a limits file whose expected failures do not count");
@@ -238,7 +238,7 @@ Command league_measure_command(CLI::App& league) {
 }
 
 Command league_findings_command(CLI::App& league) {
-  CommandWith<Flags> a(
+  CommandWith<LeagueFlags> a(
       league, "findings",
       "run the program of each failing cell of a record, and write a Markdown file for each defect that its "
       "output confirms. Exit code 0; 1 if a defect of fixtures/league/found.json is another one now; 2 for "
@@ -257,7 +257,7 @@ Command league_findings_command(CLI::App& league) {
 }
 
 Command league_changes_command(CLI::App& league) {
-  CommandWith<Flags> a(league, "changes",
+  CommandWith<LeagueFlags> a(league, "changes",
                        "print in Markdown what changed between two records. Exit code 0; 2 for bad input");
   a.text("BEFORE", a->before, "FILE", "the earlier record").required();
   a.text("AFTER", a->after, "FILE", "the later record").required();

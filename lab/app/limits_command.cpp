@@ -17,7 +17,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct FormLimitsFlags {
   CampaignOptions options;
   std::uint64_t check_cases = 0;  ///< 0: ten times --cases
   std::uint64_t tree_cases = 0;   ///< of both campaigns; 0: a tenth of --cases
@@ -85,7 +85,7 @@ std::string file_of(std::string subject) {
 }
 
 /// Each subject in turn is measured, written to its file and checked.
-int run(const Flags& f) {
+int run(const FormLimitsFlags& f) {
   std::vector<std::string> subjects = f.options.selection.subjects;
   if (subjects.empty())
     for (const std::string& name : subject_names())
@@ -137,7 +137,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command limits_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<FormLimitsFlags> a(
       lab, "limits",
       "measure what limits subjects need: the largest errors in --cases cases, and whether limits of four "
       "times "

@@ -15,7 +15,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct RoundingFlags {
   std::vector<std::string> subjects, operations;
   std::size_t inputs = 64, samples = 16;
   std::uint64_t seed = 42;
@@ -51,7 +51,7 @@ nlohmann::json json_of(const DigitsRow& r) {
           {"deceives", r.deceives()}};
 }
 
-int run(const Flags& f) {
+int run(const RoundingFlags& f) {
   DigitsOptions options;
   options.subjects = without_repeats(f.subjects), options.operations = without_repeats(f.operations);
   options.inputs = f.inputs, options.samples = f.samples, options.seed = f.seed,
@@ -113,7 +113,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command rounding_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<RoundingFlags> a(
       lab, "rounding",
       "estimate digits by random rounding: every arithmetic operation of a subject that is not exact rounds "
       "up or down by chance, and "

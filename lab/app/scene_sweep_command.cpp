@@ -18,7 +18,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct SceneSweepFlags {
   std::vector<std::string> files;  ///< empty: the built-in scenes, and the long spins
   std::vector<std::string> outside;
   SceneSweepOptions options;
@@ -27,7 +27,7 @@ struct Flags {
 };
 
 /// Throws std::invalid_argument for an unknown integrator or a wrong number of steps.
-SceneSweepOptions options_of(const Flags& f) {
+SceneSweepOptions options_of(const SceneSweepFlags& f) {
   SceneSweepOptions options = f.options;
   for (const std::string& name : options.integrators) scene::methodInfo(name);
   for (const long n : options.steps)
@@ -221,7 +221,7 @@ void print_scene_sweep(const SceneSweepResult& r) {
   for (const std::string& line : r.wrong) say("wrong order: {}\n", line);
 }
 
-SceneSweepResult swept(const Flags& f) {
+SceneSweepResult swept(const SceneSweepFlags& f) {
   SceneSweepOptions options = options_of(f);
   options.stop = &stop_requested;
   const std::vector<Benchmark> scenes = scenes_of(f.files, f.outside);
@@ -245,7 +245,7 @@ SceneSweepResult swept(const Flags& f) {
   return r;
 }
 
-int run(const Flags& f) {
+int run(const SceneSweepFlags& f) {
   const SceneSweepResult r = swept(f);
   do_both([&] { write_record_of(f.json, r); }, [&] { print_scene_sweep(r); });
   const bool lost = report_lost(r);
@@ -255,7 +255,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command scene_sweep_command(CLI::App& scene) {
-  CommandWith<Flags> a(
+  CommandWith<SceneSweepFlags> a(
       scene, "sweep",
       "compare integrators and numbers of steps: error against the exact motion, order, drift, time, beside "
       "other "

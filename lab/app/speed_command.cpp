@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Flags {
+struct SpeedFlags {
   std::uint64_t seed = 42;
   double seconds = 0.5;  ///< duration of one round of a row
   std::string json;
@@ -96,7 +96,7 @@ std::uint64_t check_exp6(const TypedSubject<double>& subject, std::uint64_t case
 /// Times exp6 by its law and by rc::check, every law on liecheck in float and double, and whole campaigns.
 class Bench {
  public:
-  explicit Bench(const Flags& f) : f_(f), robot_(built_in_robot()) {
+  explicit Bench(const SpeedFlags& f) : f_(f), robot_(built_in_robot()) {
     const auto tested = typed_subjects<double>();
     only_exp6_ =
         **std::find_if(tested.begin(), tested.end(), [](const auto* s) { return s->name == "liecheck"; });
@@ -173,7 +173,7 @@ class Bench {
     return laws / seconds;
   }
 
-  const Flags& f_;
+  const SpeedFlags& f_;
   Robot robot_;
   TypedSubject<double> only_exp6_;
   Subject erased_;
@@ -196,7 +196,7 @@ void print(const SpeedBench& b) {
       b.all_laws, b.tree_laws, b.exp6_over_rapidcheck, b.two_jobs_over_one);
 }
 
-int run(const Flags& f) {
+int run(const SpeedFlags& f) {
   Bench bench(f);
   stop_on_signals();
   bench.run();
@@ -210,7 +210,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command speed_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<SpeedFlags> a(
       lab, "speed",
       "measure cases per second beside an oracle: exp6 compared with rc::check and an oracle of 50 digits, "
       "every "

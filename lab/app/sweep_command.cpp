@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Flags {
+struct SweepFlags {
   std::vector<std::string> coefficients, operations, axes;
   std::string json;
   unsigned jobs = 1;
@@ -75,7 +75,7 @@ std::array<double, 3> axis(const std::string& text) {
   return v;
 }
 
-int run_slices(const Flags& f) {
+int run_slices(const SweepFlags& f) {
   SliceOptions options;
   if (f.operations != std::vector<std::string>{"all"}) options.operations = f.operations;
   for (const std::string& text : f.axes) options.axes.push_back(axis(text));
@@ -130,7 +130,7 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
   return sweep(options);
 }
 
-int run(const Flags& f) {
+int run(const SweepFlags& f) {
   if (!f.operations.empty()) return run_slices(f);
   if (!f.axes.empty()) throw std::invalid_argument("--axis needs --operation");
   stop_on_signals();
@@ -146,7 +146,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command sweep_command(CLI::App& program) {
-  CommandWith<Flags> a(
+  CommandWith<SweepFlags> a(
       program, "sweep",
       "bound the error of each scalar coefficient over every float. Or find the "
       "largest error of whole operations at every float angle in [0, pi] about an axis, for one random rho. "

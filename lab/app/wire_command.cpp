@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Flags {
+struct WireFlags {
   std::vector<std::string> adapters;
   std::uint64_t seed = 42, rounds = 7;
   unsigned jobs = 1;
@@ -48,7 +48,7 @@ Row row_of(const std::string& name, const std::string& subject) {
 }
 
 /// Together of `jobs` threads, each with an adapter of its own, which it starts before its time begins.
-double rate(const Flags& f, Row& row, std::uint64_t round) {
+double rate(const WireFlags& f, Row& row, std::uint64_t round) {
   constexpr std::uint64_t chunk = 1024, far = 1ULL << 32;
   std::atomic<std::uint64_t> next_thread{0}, failed{0};
   std::atomic<double> sum{0};
@@ -69,7 +69,7 @@ double rate(const Flags& f, Row& row, std::uint64_t round) {
   return sum;
 }
 
-WireBench measured(const Flags& f) {
+WireBench measured(const WireFlags& f) {
   std::vector<Row> rows;
   rows.push_back(row_of("in the program", "liecheck"));
   for (std::size_t i = 0; i < f.adapters.size(); ++i)
@@ -100,7 +100,7 @@ WireBench measured(const Flags& f) {
   return b;
 }
 
-int run(const Flags& f) {
+int run(const WireFlags& f) {
   const WireBench b = measured(f);
   do_both([&] { write_record_of(f.json, b); },
           [&] {
@@ -117,7 +117,7 @@ int run(const Flags& f) {
 }  // namespace
 
 Command wire_command(CLI::App& lab) {
-  CommandWith<Flags> a(
+  CommandWith<WireFlags> a(
       lab, "wire",
       "measure what a call through an adapter costs. Prints cases per second of exp6 in the program and of "
       "each adapter that offers it, in turns, and the ratio of both: the best and the median of the rounds. "
