@@ -58,6 +58,32 @@ Values with_steiner(const char* operation, const Numbers& x) {
   return I;
 }
 
+/// A after some steps of Newton's iteration X = (X + X^-T)/2 to the nearest rotation.
+template <int steps>
+Values newton_steps(const Numbers& x) {
+  Eigen::Matrix3d X = RowMajor3(x.data());
+  for (int k = 0; k < steps; ++k) X = (0.5 * (X + X.inverse().transpose())).eval();
+  return Values(X.transpose().reshaped());
+}
+/// Gram and Schmidt's method for the columns of A, or its rows, from the given one on.
+Values orthonormalised(const Numbers& x, bool rows, Eigen::Index first) {
+  RowMajor3 R(x.data());
+  if (rows) R.transposeInPlace();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    auto v = R.col((first + i) % 3);
+    for (Eigen::Index k = 0; k < i; ++k) v -= R.col((first + k) % 3).dot(v) * R.col((first + k) % 3);
+    v.normalize();
+  }
+  if (rows) R.transposeInPlace();
+  return Values(Eigen::Map<const Values>(R.data(), 9));
+}
+template <bool rows, Eigen::Index first>
+Values gram_schmidt(const Numbers& x) {
+  return orthonormalised(x, rows, first);
+}
+constexpr const char* stops_early =
+    "Newton's iteration to the nearest rotation ends too early: one more step would do";
+
 /// A formula that libraries have in place of the right one, for some numbers of the result.
 struct Alternative {
   const char* operation;
@@ -66,6 +92,17 @@ struct Alternative {
   const char* text;
 };
 const Alternative alternatives[] = {
+    {"nearest_rotation", 0, 9, newton_steps<1>, stops_early},
+    {"nearest_rotation", 0, 9, newton_steps<2>, stops_early},
+    {"nearest_rotation", 0, 9, newton_steps<3>, stops_early},
+    {"nearest_rotation", 0, 9, gram_schmidt<false, 0>,
+     "the columns are made orthonormal one after another (Gram and Schmidt), which is not the nearest "
+     "rotation"},
+    {"nearest_rotation", 0, 9, gram_schmidt<true, 0>,
+     "the rows are made orthonormal one after another (Gram and Schmidt), which is not the nearest rotation"},
+    {"gram_schmidt", 0, 9, gram_schmidt<true, 0>, "the rows are made orthonormal in place of the columns"},
+    {"gram_schmidt", 0, 9, gram_schmidt<false, 1>, "it begins with the second column in place of the first"},
+    {"gram_schmidt", 0, 9, gram_schmidt<false, 2>, "it begins with the third column in place of the first"},
     {"slerp", 0, 4,
      [](const Numbers& x) -> Values { return ((1 - x[8]) * given(x, 0, 4) + x[8] * nearer(x)).normalized(); },
      "linear interpolation, normalised, in place of slerp: its angle is not t times that between Q0 and Q1"},

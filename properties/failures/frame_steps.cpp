@@ -27,8 +27,8 @@ bool carries(const Tree& t, int joint, int of) {
   return of == joint;
 }
 void add_velocities(Steps& s, std::string_view block) {
-  const auto of_joints = [&](const char* text, bool (*counts)(const Tree&, int)) {
-    s.add(text, [=](const Tree& t, std::size_t view) {
+  const auto of_joints = [&](std::string text, auto counts) {
+    s.add(std::move(text), [=](const Tree& t, std::size_t view) {
       const Link& f = t.links[static_cast<std::size_t>(t.frame_joint)];
       Vector6 world = Vector6::Zero();
       for (int i = 0; i < static_cast<int>(t.links.size()); ++i) {
@@ -48,6 +48,15 @@ void add_velocities(Steps& s, std::string_view block) {
   of_joints("columns of the frame's joint and its parent alone", [](const Tree& t, int i) {
     return i == t.frame_joint || i == t.links[static_cast<std::size_t>(t.frame_joint)].parent;
   });
+  for (int most = 2; most <= 12; ++most)
+    of_joints(
+        fmt::format("columns of the frame's joint and {} joints before it, with 0 for its other ancestors,",
+                    most),
+        [most](const Tree& t, int i) {
+          int at = t.frame_joint;
+          for (int k = 0; k < most && at > i; ++k) at = t.links[static_cast<std::size_t>(at)].parent;
+          return at == i;
+        });
 }
 /// The velocity or spatial acceleration of the frame where a lever arm of the reference frame has a wrong factor.
 void add_references(Steps& s, bool velocity, std::string_view block) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <conventions/probe.hpp>
-#include <conventions/reference.hpp>
 #include <conventions/values.hpp>
 #include <failures/alternatives.hpp>
 #include <failures/blocks.hpp>
@@ -18,14 +17,22 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <search/condition.hpp>
-#include <set>
-#include <support/line_fit.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
 
 namespace {
+
+/// What results tell that are others when a call is made again, after other calls.
+constexpr const char* kept_state =
+    "something is kept from one call to the next, such as a static variable, or read before it is written";
+
+/// What the failure of a relation alone tells, where the operation itself is right on other trees.
+constexpr std::pair<std::string_view, const char*> of_relations[]{
+    {"rnea_of_split_bodies",
+     "several bodies on one joint: one of them is not turned or moved into the joint's axes, or replaces "
+     "another"},
+    {"rnea_of_reordered_joints", "the result depends on the order in which joints are numbered"}};
 
 /// What failures only at tiny angles tell.
 std::string of_underflow(const FailedBlock& f) {
@@ -190,108 +197,6 @@ bool is_scattered(const std::vector<JudgedCall>& calls) {
   return 2 * varies > std::ssize(counts);
 }
 
-/// The errors over a feature: the slope of their logarithms, 0 if it is not known; the largest value at which more than a
-/// thousandth is wrong; the largest one below which most errors are of the size of the feature, and the next one.
-struct ErrorsOver {
-  double slope = 0, wrong_up_to = -1, as_large_up_to = -1, less_from = -1;
-};
-ErrorsOver errors_over(const Condition& c) {
-  ErrorsOver all;
-  LineFit fit;
-  double as_large = 0;
-  for (const auto& [value, error] : c.errors) {
-    const double a = std::log(value), b = std::log(error);
-    if (!std::isfinite(a) || !std::isfinite(b)) continue;
-    fit.add(a, b);
-    if (error > 1e-3) all.wrong_up_to = value;
-    const bool like = error > 0.05 * value && error < 3 * value;
-    as_large += like;
-    if (like && as_large >= 3 && as_large >= 0.8 * fit.count())
-      all.as_large_up_to = value, all.less_from = -1;
-    if (!like && all.less_from < 0) all.less_from = value;
-  }
-  if (fit.count() >= 5) all.slope = fit.slope();
-  return all;
-}
-
-/// Where the angles are no longer those of gimbal lock, of which one is 0 and another the sum of two, between two angles from it, by
-/// bisection of plain rotations; the middle of both if these show no such place.
-double lock_threshold(const FailedBlock& f, double low, double high) try {
-  const Series& series = *f.worst->series;
-  const Operation& operation = *series.outputs.at(f.worst->output).record;
-  const std::string to = operation.name == "euler_from_matrix" ? "euler_to_matrix" : "euler_to_quaternion";
-  const auto is_at_lock = [&](int number, double sign, double from_lock) {
-    const oracles::Order order(number);
-    const bool proper = order.axes[0] == order.axes[2];
-    const double right = 0.7, b = proper ? (sign > 0 ? from_lock : std::numbers::pi - from_lock)
-                                         : sign * (std::numbers::pi / 2 - from_lock);
-    std::vector<double> arguments{double(number)};
-    for (const oracles::Real& x :
-         conventions::exact_result(conventions::operation_named(to), {number, right, b, 0.4}))
-      arguments.push_back(static_cast<double>(x));
-    const std::vector<double> angles = result_of(series, operation, arguments);
-    return angles.size() == 3 && std::fabs(angles[0] - right) > 0.1;
-  };
-  std::set<double> orders;
-  for (const NotedCall& call : sampled_calls(series, f.worst->output)) orders.insert(call.arguments.at(0));
-  for (const double order : orders)
-    for (const double sign : {1.0, -1.0}) {
-      double from = low / 2, to_angle = high * 2;
-      const auto at = [&](double angle) { return is_at_lock(static_cast<int>(order), sign, angle); };
-      if (stop_requested || !at(from) || at(to_angle)) continue;
-      for (int k = 0; k < 10; ++k) {
-        const double middle = std::sqrt(from * to_angle);
-        (at(middle) ? from : to_angle) = middle;
-      }
-      return std::sqrt(from * to_angle);
-    }
-  return std::sqrt(low * high);
-} catch (const GivenUp&) {  // a signal ended a call
-  return std::sqrt(low * high);
-}
-
-/// What the errors of Euler angles near gimbal lock tell.
-std::string near_gimbal_lock(const FailedBlock& f) {
-  constexpr std::uint64_t any_seed = 42;
-  const auto c = condition_of(*f.worst->series, f.worst->output, any_seed);
-  if (!c || c->feature != Feature::lock) return "";
-  const ErrorsOver errors = errors_over(*c);
-  if (4 * f.worst->row->not_finite > f.worst->row->failed) {
-    for (const NotedCall& call : sampled_calls(*f.worst->series, f.worst->output))
-      if (call.result.size() == 3 &&
-          std::isfinite(call.result[1]) &&  // the middle angle has an asin, the others quotients
-          !(std::isfinite(call.result[0]) && std::isfinite(call.result[2])))
-        return "0/0 at gimbal lock: atan of a quotient in place of atan2";
-    return "asin or acos of a number beyond 1 or -1";
-  }
-  // Rounding makes large errors next to gimbal lock only, another formula wherever it is used.
-  if (errors.wrong_up_to > 0 && errors.wrong_up_to < 1e-3 * c->high)
-    return "near gimbal lock, atan2 of numbers that are 0 but for rounding: the error grows as 1 / (the "
-           "angle from it), "
-           "since two angles are computed each by itself";
-  if (c->high < 1e-12)
-    return "at gimbal lock alone, one of the angles is wrong: there, two turn about one axis, by their sum "
-           "or difference";
-  if (errors.as_large_up_to > 4 * std::sqrt(f.worst->series->eps) && 10 * errors.as_large_up_to < c->high)
-    return fmt::format(
-        "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it; "
-        "above "
-        "it, rounding costs digits, the more the nearer to gimbal lock",
-        lock_threshold(f, errors.as_large_up_to, std::max(errors.as_large_up_to, errors.less_from)));
-  if (errors.slope > 0.5)
-    return fmt::format(
-        "a threshold: less than {:.2g} rad from gimbal lock, the angles are computed as if they were at it",
-        c->high);
-  const BandOf& worst = *f.worst;
-  if (errors.slope > -0.3 && f.score * worst.series->eps > 1e-3)
-    return fmt::format(
-        "another formula at gimbal lock, which is wrong: it is used less than {:.2g} rad from it", c->high);
-  const double digits = -std::log10(f.score * worst.series->eps), half = -std::log10(worst.series->eps) / 2;
-  return std::fabs(digits - half) < 1 ? "asin or acos of a number near 1 or -1, which keeps half of the "
-                                        "digits; atan2 of both parts does not"
-                                      : "";
-}
-
 /// A cutoff where the result jumps, which is measured beside common cutoffs only. Where it jumps in many bands, or at angles
 /// far from each other, no cutoff is the cause.
 std::string of_jump(const FailedBlock& f) try {
@@ -323,6 +228,7 @@ std::string of_jump(const FailedBlock& f) try {
 }  // namespace
 
 std::string guess_of(const FailedBlock& f) {
+  if (worst_outcome(*f.worst->row) == std::string_view("not repeatable")) return kept_state;
   if (f.block == "jump") return of_jump(f);
   const double eps = f.worst->series->eps;
   const Moderate m = at_moderate_angles(f, eps);
@@ -332,6 +238,8 @@ std::string guess_of(const FailedBlock& f) {
     if (std::string guess = near_gimbal_lock(f); !guess.empty()) return guess;
   if (std::string guess = tree_substitution_of(*f.worst->series, f.worst->output); !guess.empty())
     return guess;
+  for (const auto& [operation, guess] : of_relations)
+    if (operation_of(f) == operation) return guess;
   std::optional<std::vector<JudgedCall>> calls;  // measured when they are needed
   const auto of_calls = [&](auto cause) {
     if (!calls) calls = judged_calls(*f.worst->series, f.worst->output);
@@ -344,9 +252,15 @@ std::string guess_of(const FailedBlock& f) {
     if (std::string guess = of_calls(alternative_of); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
+    // One change explains more than a choice between conventions.
+    if (other.find(", or ") != other.npos)
+      if (std::string one = of_calls(substitution_of); !one.empty()) return one;
     if (other.empty() && of_double) other = of_calls(float_of);
-    for (const auto cause :
-         {substitution_of, other_order_of, norm_power_of, in_place_of, wrong_term_of, wrong_numbers_of})
+    // A term of the other sign can be what a vector in another frame would give: R p in J_l^-1 p is J_r^-1 p.
+    if (other.empty()) other = of_calls(substitution_of);
+    if (other.find("another frame") != other.npos)
+      if (std::string term = of_calls(wrong_term_of); !term.empty()) return term;
+    for (const auto cause : {other_order_of, norm_power_of, in_place_of, wrong_term_of, wrong_numbers_of})
       if (other.empty()) other = of_calls(cause);
     if (!other.empty() || operation_of(f).starts_with("euler_from")) return other;
     if (f.worst->series->on_robot || is_tree_law(f.worst->series->property)) return "";
@@ -373,6 +287,7 @@ std::string guess_of(const FailedBlock& f) {
   for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
     if (std::string guess = of_value || cause == norm_power_of ? of_calls(cause) : ""; !guess.empty())
       return guess;
+  if (std::string guess = of_value ? "" : of_calls(wrong_length_of); !guess.empty()) return guess;
   // A float rounds by 2^-24, and a formula may do so a dozen times. At zero there is nothing to round.
   // A constant that is cut has nine digits at most, and an iteration that ends too early gives four at least.
   const bool few_digits = m.largest > 0x1p-30 && m.largest < 0x1p-14;
@@ -383,7 +298,12 @@ std::string guess_of(const FailedBlock& f) {
       !fails_at_zero(f) && of_calls(scattered).empty())
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
-  return "";
+  // What has no angle loses the same digits wherever it fails.
+  const bool has_bands = std::ranges::any_of(
+      f.bands, [](const BandOf& b) { return b.series->bands()[b.band].axis != Axis::none; });
+  if (of_double && !has_bands && 4 * f.failed > f.cases)
+    if (std::string guess = of_calls(approximation_of); !guess.empty()) return guess;
+  return of_value ? of_calls(wrong_numbers_of) : "";
 }
 
 }  // namespace liecheck::properties

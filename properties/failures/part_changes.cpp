@@ -59,7 +59,16 @@ void add_changes_of_vector(const PartPlace& at, const std::string& name, const W
             const double angle = length(x);
             for (double& v : x) v = angle > std::numbers::pi ? v * (std::numbers::pi / angle) : v;
           });
+    whole("the right one with pi, not 2 pi, taken from an angle above pi",
+          name + " with pi, not 2 pi, taken from an angle above pi", [length](Span x) {
+            const double angle = length(x);
+            for (double& v : x) v = angle > std::numbers::pi ? v * (1 - std::numbers::pi / angle) : v;
+          });
   }
+  whole("right but for the signs of its numbers, which are lost",
+        name + " with the absolute values of its numbers", [](Span x) {
+          for (double& v : x) v = std::fabs(v);
+        });
   whole("in the opposite order", name + " in the opposite order", [](Span x) { std::ranges::reverse(x); });
 }
 template <class Whole>
@@ -114,6 +123,11 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
       whole("2 pi more or less than the right one: it is not brought into [-pi, pi]",
             name + " beyond [-pi, pi]",
             [](Span x) { x[0] += x[0] > 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi; });
+    if (at.part->unit == "rad")
+      whole("off by pi", name + " with pi, not 2 pi, taken from it beyond [-pi, pi]", [of_result](Span x) {
+        if (of_result || std::fabs(x[0]) > std::numbers::pi)
+          x[0] += x[0] > 0 ? -std::numbers::pi : std::numbers::pi;
+      });
     whole("its absolute value", "|" + name + "|", [](Span x) { x[0] = std::fabs(x[0]); });
     whole("1", name + " = 1", [](Span x) { x[0] = 1; });
     for (const double factor : {2.0, 0.5})
@@ -160,6 +174,13 @@ void add_exchanges(const std::vector<PartPlace>& all, std::vector<PartChange>& c
                          [from = all[i].from, size](Numbers& x) {
                            const Span both = Span(x).subspan(from, 2 * size);
                            std::ranges::swap_ranges(both.first(size), both.last(size));
+                         }});
+    const bool of_vectors = std::all_of(all.begin() + static_cast<std::ptrdiff_t>(i),
+                                        all.begin() + static_cast<std::ptrdiff_t>(next),
+                                        [](const PartPlace& p) { return p.size <= 3; });
+    if (next - i > 1 && of_vectors)  // a tangent of two parts
+      changes.push_back({fmt::format("-{}", all[i].layout->name), [from = all[i].from, size](Numbers& x) {
+                           for (double& v : Span(x).subspan(from, size)) v = -v;
                          }});
     i = next;
   }

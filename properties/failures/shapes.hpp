@@ -11,6 +11,9 @@ std::string shape_at_small_angles(const FailedBlock& f);
 /// The cause that the errors near pi tell, or "".
 std::string shape_near_pi(const FailedBlock& f);
 
+/// What the errors of Euler angles near gimbal lock tell, or "".
+std::string near_gimbal_lock(const FailedBlock& f);
+
 /// The angle to two digits, as 0.02 or 1.5e-8, and a power of ten as 1e-2.
 std::string short_angle(double theta);
 /// The angle as a power of ten.

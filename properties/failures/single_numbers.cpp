@@ -103,14 +103,27 @@ bool given(const std::vector<JudgedCall>& calls, Other other) {
 std::string other_order_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   if (operation.arguments[0]->name != "order") return "";
   constexpr int orders = 12;
-  for (int k = 0; k < orders; ++k)
-    if (given(calls, [&](const JudgedCall& c) {
-          Numbers x = c.call.arguments;
-          x[0] = 2 * k + static_cast<int>(x[0]) % 2;
-          return exact(operation.name.data(), x);
-        }))
-      return fmt::format("where it fails, the result is that of the order {}", oracles::Order(2 * k).name());
-  return "";
+  std::string rotating, fixed;  // of angles about the turned axes, and about those that stay
+  for (std::string* const found : {&fixed, &rotating}) {
+    const int is_rotating = found == &rotating;
+    std::vector<JudgedCall> some;
+    std::ranges::copy_if(calls, std::back_inserter(some), [&](const JudgedCall& c) {
+      return static_cast<int>(c.call.arguments[0]) % 2 == is_rotating;
+    });
+    for (int k = 0; k < orders && found->empty(); ++k)
+      if (given(some, [&](const JudgedCall& c) {
+            Numbers x = c.call.arguments;
+            x[0] = 2 * k + is_rotating;
+            return exact(operation.name.data(), x);
+          }))
+        *found = oracles::Order(2 * k).name();
+  }
+  if (rotating.empty() && fixed.empty()) return "";
+  return fmt::format("where it fails, the result is that of the order {}",
+                     rotating == fixed  ? fixed
+                     : fixed.empty()    ? rotating + ", rotating"
+                     : rotating.empty() ? fixed + ", static"
+                                        : fmt::format("{}, rotating, or {}, static", rotating, fixed));
 }
 
 namespace {
@@ -334,10 +347,14 @@ std::string approximation_of(const Operation& operation, const std::vector<Judge
   std::ranges::sort(errors);
   const double most = errors[errors.size() * 9 / 10];
   if (!(most < 0.01)) return "";  // a wrong term or sign leaves less than two digits
+  const auto digits = static_cast<int>(-std::log10(most));
+  // A float rounds by 6e-8, and a dozen times in a formula.
   return fmt::format(
-      "an approximation: most results are right to {} digits, as those of a series or an iteration that ends "
-      "too early, a numerical derivative, or a constant with few digits",
-      static_cast<int>(-std::log10(most)));
+      "an approximation: most results are right to {} digits, as those of {}", digits,
+      most > 2e-8 && most < 1e-6
+          ? "a step in float, of a series or an iteration that ends too early, or of a numerical derivative"
+          : "a series or an iteration that ends too early, a numerical derivative, or a constant with few "
+            "digits");
 }
 
 }  // namespace liecheck::properties

@@ -49,6 +49,7 @@ Vector6 gyroscopic(const Link& l, const Vector6& V, Step step, const Vector6* he
   if (step == opposite_gyroscopic) F = -F;
   if (step == no_gyroscopic_force) F.head<3>().setZero();
   if (step == no_gyroscopic_moment) F.tail<3>().setZero();
+  if (step == no_gyroscopic_arm) F.tail<3>() -= V.head<3>().cross(momentum.head<3>());
   return F;
 }
 
@@ -185,7 +186,9 @@ Matrix mass_matrix(const Tree& t, const Wrong& wrong) {
     if (const auto row = static_cast<int>(i); step == armature_of_joint && row < t.nv())
       M(row, row) += l.armature;
     for (std::size_t j = i; t.links[j].parent >= 0;) {
-      F = (with_arm(t.at.X[j], wrong.of(t.links[j]) == turned_columns ? 0 : 1).transpose() * F).eval();
+      const Step passing = wrong.of(t.links[j]);
+      const Matrix6& X = t.at.X[passing == stale_columns ? i : j];
+      F = (with_arm(X, passing == turned_columns ? 0 : 1).transpose() * F).eval();
       j = static_cast<std::size_t>(t.links[j].parent);
       const Link& k = t.links[j];
       if (step == only_blocks && k.v != l.v) continue;  // a mimic and its primary have one v

@@ -23,5 +23,7 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
 /// "where it fails, the result is what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
 /// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+/// Parts of the result that are right but for their lengths, in words; or "".
+std::string wrong_length_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 
 }  // namespace liecheck::properties

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <failures/part_changes.hpp>
 #include <failures/relations.hpp>
 #include <utility>
 
@@ -228,9 +229,12 @@ const Formula formulas[] = {
 struct WrongSums {
   std::vector<Values> errors;
   std::vector<Terms> terms, others;
+  std::vector<double> theta;  ///< |phi| of the arguments, or 0
 };
-WrongSums wrong_sums(const Formula& f, const std::vector<JudgedCall>& calls) {
+WrongSums wrong_sums(const Formula& f, const Operation& operation, const std::vector<JudgedCall>& calls) {
   WrongSums all;
+  const std::vector<PartPlace> places = places_of({operation.arguments.begin(), operation.arguments.size()});
+  const auto phi = std::ranges::find(places, "phi", [](const PartPlace& p) { return p.part->name; });
   for (const JudgedCall& c : calls) {
     const auto part = [&](const Numbers& x) {
       return Values(Eigen::Map<const Values>(x.data(), std::ssize(x)).segment(f.from, f.size));
@@ -245,6 +249,7 @@ WrongSums wrong_sums(const Formula& f, const std::vector<JudgedCall>& calls) {
     if (terms.empty() || !(error.norm() > 1e-9 * largest) || !(largest < 1e100)) continue;
     all.errors.push_back(error), all.terms.push_back(std::move(terms));
     all.others.push_back(f.others ? f.others(c.call.arguments) : Terms());
+    all.theta.push_back(phi == places.end() ? 0 : vector_at(c.call.arguments, phi->from).norm());
   }
   return all;
 }
@@ -266,6 +271,15 @@ std::pair<double, double> factor_of(const WrongSums& wrong, std::size_t term) {
   const double apart = std::fabs(factors[most - 1] / middle - 1);
   return apart < 0.01 ? std::pair(middle, apart) : std::pair(0.0, 0.0);
 }
+/// Whether a term is multiplied by a power of theta.
+bool has_power(const WrongSums& wrong, std::size_t term, int power) {
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < wrong.errors.size(); ++i) {
+    const Values change = (std::pow(wrong.theta[i], power) - 1) * wrong.terms[i][term].second;
+    given += (wrong.errors[i] - change).norm() < 0.01 * wrong.errors[i].norm();
+  }
+  return given >= 4 && 5 * given >= 4 * wrong.errors.size();
+}
 /// Whether another term stands in place of one.
 bool replaced(const WrongSums& wrong, std::size_t term, const std::vector<Terms>& by, std::size_t other) {
   std::size_t given = 0;
@@ -281,7 +295,7 @@ bool replaced(const WrongSums& wrong, std::size_t term, const std::vector<Terms>
 std::string wrong_term_of(const Operation& operation, const std::vector<JudgedCall>& calls) try {
   for (const Formula& f : formulas) {
     if (operation.name != f.operation) continue;
-    const WrongSums wrong = wrong_sums(f, calls);
+    const WrongSums wrong = wrong_sums(f, operation, calls);
     if (wrong.errors.size() < 4) continue;
     const Terms& terms = wrong.terms.front();
     // Of terms that are nearly proportional, that whose factors differ least.
@@ -296,6 +310,11 @@ std::string wrong_term_of(const Operation& operation, const std::vector<JudgedCa
                          : std::fabs(k + 2) < 0.01 ? "has the opposite sign"
                          : std::fabs(k - 1) < 0.01 ? "is counted twice"
                                                    : fmt::format("has {:.3g} times its factor", 1 + k));
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      for (const int power : {1, -1, 2, -2})
+        if (has_power(wrong, t, power))
+          return fmt::format("where it fails, the term {} is theta{} times the right one", terms[t].first,
+                             power == 1 ? "" : fmt::format("^{}", power));
     for (std::size_t t = 0; t < terms.size(); ++t)
       for (const auto* by : {&wrong.terms, &wrong.others})
         for (std::size_t o = 0; o < by->front().size(); ++o)

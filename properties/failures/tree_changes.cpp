@@ -134,17 +134,24 @@ void add_rates(Changes& c) {
           "columns of linear and angular velocity exchanged " + joints, TreeSlot::v, 6,
           [](Span v) { std::ranges::swap_ranges(v.first(3), v.last(3)); }, has);
   }
-  for (const bool back : {true, false})
-    c.of_tree(fmt::format("v of free-flyer joints {}",
-                          back ? "taken in the parent's axes" : "turned by the joint's rotation"),
-              [back](const TreeNumbers& t) {
-                for (int i = 0; i < t.joints(); ++i) {
-                  if (t.kind(i) != free_flyer) continue;
-                  const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
-                  for (const int from : {TreeSlot::v + 0, TreeSlot::v + 3, TreeSlot::a + 0, TreeSlot::a + 3})
-                    turn(t.of_joint(i, from, 3), Q, back);
-                }
-              });
+  struct Half {
+    const char* name;
+    int from, to;
+  };
+  for (const Half& half :
+       {Half{"v", 0, 6}, Half{"the linear velocity", 0, 3}, Half{"the angular velocity", 3, 6}})
+    for (const bool back : {true, false})
+      c.of_tree(fmt::format("{} of free-flyer joints {}", half.name,
+                            back ? "taken in the parent's axes" : "turned by the joint's rotation"),
+                [back, half](const TreeNumbers& t) {
+                  for (int i = 0; i < t.joints(); ++i) {
+                    if (t.kind(i) != free_flyer) continue;
+                    const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
+                    for (int from = half.from; from < half.to; from += 3)
+                      turn(t.of_joint(i, TreeSlot::v + from, 3), Q, back),
+                          turn(t.of_joint(i, TreeSlot::a + from, 3), Q, back);
+                  }
+                });
   for (const bool back : {true, false})
     c.of_tree(fmt::format("the linear velocity of planar joints {}",
                           back ? "taken in the parent's axes" : "turned by the joint's rotation"),
@@ -201,6 +208,21 @@ void add_joints(Changes& c) {
     };
     turned("joints' shifts", TreeSlot::p), turned("joints' axes", TreeSlot::axis);
   }
+  c.of_tree("the shift of prismatic joints in the parent's axes", [](const TreeNumbers& t) {
+    for (int i = 0; i < t.joints(); ++i) {
+      if (t.kind(i) != prismatic || t.primary(i) >= 0) continue;
+      const Eigen::Vector3d shift =
+          t.of_joint(i, TreeSlot::q_p, 1)[0] * Eigen::Vector3d(t.of_joint(i, TreeSlot::axis, 3).data());
+      Eigen::Map<Eigen::Vector3d>(t.of_joint(i, TreeSlot::p, 3).data()) +=
+          shift - Eigen::Quaterniond(t.of_joint(i, TreeSlot::Q, 4).data()) * shift;
+    }
+  });
+  c.of_tree("each joint on the joint before it, in place of its parent,", [](const TreeNumbers& t) {
+    for (int i = 0; i < t.joints(); ++i) t.hang(i, i - 1);
+  });
+  c.of_tree("each joint on the first one", [](const TreeNumbers& t) {
+    for (int i = 1; i < t.joints(); ++i) t.hang(i, 0);
+  });
   c.of_joints("axes of joints in the opposite direction", TreeSlot::axis, 3, opposite);
   c.of_joints("the pitch 0 of helical joints", TreeSlot::pitch, 1, to_zero);
   c.of_joints("the pitch 0 of helical joints where it is negative", TreeSlot::pitch, 1,
@@ -229,6 +251,10 @@ void add_joints(Changes& c) {
   }
   c.of_joints("cos >= 0 of continuous and planar joints", TreeSlot::q_circle, 2,
               [](Span q) { q[0] = std::fabs(q[0]); });
+  c.of_joints("atan(sin / cos) of continuous and planar joints, which is wrong by pi where cos < 0,",
+              TreeSlot::q_circle, 2, [](Span q) {
+                if (q[0] < 0) opposite(q);
+              });
   c.of_joints("sin >= 0 of continuous and planar joints", TreeSlot::q_circle, 2,
               [](Span q) { q[1] = std::fabs(q[1]); });
   c.of_joints("continuous and planar joints turned in the opposite direction", TreeSlot::q_circle, 2,

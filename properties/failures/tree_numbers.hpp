@@ -24,6 +24,8 @@ class TreeNumbers {
     return n;
   }
   int parent(int joint) const { return static_cast<int>(part(at_.parent(joint), 1)[0]); }
+  /// Hangs a joint on another one, or on the world (-1).
+  void hang(int joint, int on) const { part(at_.parent(joint), 1)[0] = on; }
   JointKind kind(int joint) const {
     return static_cast<JointKind>(static_cast<int>(part(at_.kind(joint), 1)[0]));
   }

@@ -57,12 +57,13 @@ inline constexpr auto axis_angle_from_matrix = operation<struct AxisAngleFromMat
     axis_angle_result, {turn_of_pair, length_of_axis},
     {representations_header, "toAxisAngle<S>(toQuaternion<S>(R)).to_vector()"}, R);
 inline constexpr auto quaternion_from_axis_angle = operation<struct QuaternionFromAxisAngle>(
-    {"quaternion_from_axis_angle", "Q = (sin(angle/2) axis, cos(angle/2)), |axis| = 1", shuster_source},
+    {"quaternion_from_axis_angle", "Q = (sin(angle/2) axis, cos(angle/2)), |axis| = 1, |angle| <= pi",
+     shuster_source},
     Q_of_parameters, {rotation_of_quaternion, norm_of_quaternion},
     {representations_header, "fromAxisAngle<S>({axis, angle}).to_vector()"}, axis, angle);
 inline constexpr auto matrix_from_axis_angle = operation<struct MatrixFromAxisAngle>(
-    {"matrix_from_axis_angle", "R = exp(angle [axis]), |axis| = 1", shuster_source}, R_of_angles,
-    {rotation_of_matrix, orthogonality_of_matrix},
+    {"matrix_from_axis_angle", "R = exp(angle [axis]), |axis| = 1, |angle| <= pi", shuster_source},
+    R_of_angles, {rotation_of_matrix, orthogonality_of_matrix},
     {representations_header, "fromAxisAngle<S>({axis, angle}).matrix()"}, axis, angle);
 
 inline constexpr auto gibbs_from_quaternion = operation<struct GibbsFromQuaternion>(

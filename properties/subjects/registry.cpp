@@ -100,6 +100,17 @@ std::vector<std::string> absent_subjects() {
   return absent;
 }
 
+Operations::Operations() = default;
+Operations::Operations(const Operations&) = default;
+Operations::Operations(Operations&&) noexcept = default;
+Operations& Operations::operator=(const Operations&) = default;
+Operations& Operations::operator=(Operations&&) noexcept = default;
+Operations::~Operations() = default;
+void Operations::take(const Operation& operation, const Operations& from) {
+  SpatialSlots<Doubles>::take(operation, from);
+}
+bool Operations::has(const Operation& operation) const { return SpatialSlots<Doubles>::has(operation); }
+
 template struct Registered<float>;
 template struct Registered<double>;
 template std::vector<const TypedSubject<float>*> typed_subjects<float>();

@@ -19,6 +19,18 @@ struct Tree;  // tree.hpp
 /// o[op::exp6] is the subject's function for exp6, or null if it has none. An argument is rounded to the scalar, and a
 /// result is exactly what the library returned.
 struct Operations : SpatialSlots<Doubles> {
+  // They visit a hundred functions, and are compiled once: registry.cpp.
+  Operations();
+  Operations(const Operations&);
+  Operations(Operations&&) noexcept;
+  Operations& operator=(const Operations&);
+  Operations& operator=(Operations&&) noexcept;
+  ~Operations();
+  /// Copies one operation's function.
+  void take(const Operation& operation, const Operations& from);
+  /// Whether the operation has a slot here and a function in it.
+  bool has(const Operation& operation) const;
+
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
   std::function<void(const Vec<double, 4>& Q)> check_quaternion;
   std::function<void(const Mat<double, 3>& R)> check_rotation;

@@ -105,18 +105,26 @@ R call_only(const A& a, const Rest&...) {
   return r;
 }
 
+/// One deleter for arguments of every type, so that std::shared_ptr is instantiated once.
+struct Release {
+  void (*release)(const char*);
+  void operator()(const char* p) const { release(p); }
+};
+
 template <class S, class R, class... A>
 struct Passes {
   using Arguments = std::tuple<A...>;
   using Function = R (*)(const A&...);
 
   static std::shared_ptr<const char> arguments(const std::vector<std::vector<double>>& numbers) {
-    const std::shared_ptr<Arguments[]> all(new Arguments[numbers.size()]);
+    auto* const all = new Arguments[numbers.size()];
+    const auto release = [](const char* p) { delete[] reinterpret_cast<const Arguments*>(p); };
+    std::shared_ptr<const char> kept(reinterpret_cast<const char*>(all), Release{release});
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double* next = numbers[i].data();
       std::apply([&](A&... a) { (for_each_number(a, [&](S& x) { x = S(*next++); }), ...); }, all[i]);
     }
-    return {all, reinterpret_cast<const char*>(all.get())};
+    return kept;
   }
   static void throughput(AnyFunction function, const char* arguments, std::size_t n) {
     const auto f = reinterpret_cast<Function>(function);
