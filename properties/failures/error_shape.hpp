@@ -248,10 +248,8 @@ class Shape {
     if (errs_by_angle(f_) && p(peak_).still && p(peak_ - 1).still)
       return fmt::format("a threshold at theta about {}, below which the result is that of theta = 0", at);
     if (has_series(f_)) return cutoff_at(p(peak_), above, false);
-    // What falls without a step, as an error of rounding does, has no threshold.
-    if (!step_of_errors(*f_.worst->series, static_cast<int>(f_.worst->output), p(peak_).low / 10,
-                        std::min(p(peak_).high * 10, 1.0), false))
-      return "";
+    // An error that falls below its limit without a step, as one of rounding does, has no threshold.
+    if (const auto c = crossing(p(peak_), above); c && c->passing > 0.3) return "";
     return fmt::format("a threshold at theta about {}, below which another formula is coarser{}", at,
                        operation_of(f_) == "slerp" ? ", such as linear interpolation" : "");
   }

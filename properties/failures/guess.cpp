@@ -252,8 +252,8 @@ std::string guess_of(const FailedBlock& f) {
     if (std::string guess = of_calls(alternative_of); !guess.empty()) return guess;
   if (m.wrong * 10 > m.all) {
     std::string other = m.wrong * 3 > m.all ? convention(f) : "";
-    // One change explains more than a choice between conventions.
-    if (other.find(", or ") != other.npos)
+    // Several conventions change a derivative, and one change of its arguments may tell more.
+    if (operation_of(f).starts_with("d_") && other.find(", or ") != other.npos)
       if (std::string one = of_calls(substitution_of); !one.empty()) return one;
     if (other.empty() && of_double) other = of_calls(float_of);
     // A term of the other sign can be what a vector in another frame would give: R p in J_l^-1 p is J_r^-1 p.
@@ -298,11 +298,11 @@ std::string guess_of(const FailedBlock& f) {
       !fails_at_zero(f) && of_calls(scattered).empty())
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
-  // What has no angle loses the same digits wherever it fails.
+  // What has no angle loses the same digits wherever it fails, and a step in float leaves seven.
   const bool has_bands = std::ranges::any_of(
       f.bands, [](const BandOf& b) { return b.series->bands()[b.band].axis != Axis::none; });
   if (of_double && !has_bands && 4 * f.failed > f.cases)
-    if (std::string guess = of_calls(approximation_of); !guess.empty()) return guess;
+    if (std::string guess = of_calls(approximation_of); guess.find(" in float") != guess.npos) return guess;
   return of_value ? of_calls(wrong_numbers_of) : "";
 }
 

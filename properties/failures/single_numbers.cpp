@@ -103,26 +103,28 @@ bool given(const std::vector<JudgedCall>& calls, Other other) {
 std::string other_order_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   if (operation.arguments[0]->name != "order") return "";
   constexpr int orders = 12;
-  std::string rotating, fixed;  // of angles about the turned axes, and about those that stay
-  for (std::string* const found : {&fixed, &rotating}) {
-    const int is_rotating = found == &rotating;
+  const auto kind_of = [](const JudgedCall& c) { return static_cast<int>(c.call.arguments[0]) % 2; };
+  std::string orders_of[2];  // of angles about axes that stay, and about turned ones
+  for (const int kind : {0, 1}) {
     std::vector<JudgedCall> some;
-    std::ranges::copy_if(calls, std::back_inserter(some), [&](const JudgedCall& c) {
-      return static_cast<int>(c.call.arguments[0]) % 2 == is_rotating;
-    });
-    for (int k = 0; k < orders && found->empty(); ++k)
+    std::ranges::copy_if(calls, std::back_inserter(some),
+                         [&](const JudgedCall& c) { return kind_of(c) == kind; });
+    for (int k = 0; k < orders && orders_of[kind].empty(); ++k)
       if (given(some, [&](const JudgedCall& c) {
             Numbers x = c.call.arguments;
-            x[0] = 2 * k + is_rotating;
+            x[0] = 2 * k + kind;
             return exact(operation.name.data(), x);
           }))
-        *found = oracles::Order(2 * k).name();
+        orders_of[kind] = oracles::Order(2 * k).name();
   }
+  const auto& [fixed, rotating] = orders_of;
   if (rotating.empty() && fixed.empty()) return "";
+  const bool one_kind =
+      std::ranges::all_of(calls, [&](const JudgedCall& c) { return kind_of(c) == kind_of(calls[0]); });
   return fmt::format("where it fails, the result is that of the order {}",
-                     rotating == fixed  ? fixed
-                     : fixed.empty()    ? rotating + ", rotating"
-                     : rotating.empty() ? fixed + ", static"
+                     one_kind || rotating == fixed ? fixed + (fixed.empty() ? rotating : "")
+                     : fixed.empty()               ? rotating + ", rotating"
+                     : rotating.empty()            ? fixed + ", static"
                                         : fmt::format("{}, rotating, or {}, static", rotating, fixed));
 }
 

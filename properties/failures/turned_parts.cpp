@@ -114,13 +114,16 @@ std::string length_of(const Wrong& wrong, const std::vector<PartPlace>& places) 
     if (part.size < 3 || part.size > 9 || !wrong.given_by([&](const JudgedCall& c) {
           Numbers x = c.right;
           const Span right = part.in(x);
+          bool longer = false;  // by a hundredth: rounding or a constant leave less
           for (std::size_t k = 0; k < columns; ++k) {
             double of_got = 0, of_right = 0;
             for (std::size_t i = k; i < part.size; i += columns)
               of_got = std::hypot(of_got, part.in(c.call.result)[i]),
               of_right = std::hypot(of_right, right[i]);
             for (std::size_t i = k; i < part.size; i += columns) right[i] *= of_got / of_right;
+            longer |= std::fabs(of_got / of_right - 1) > 0.01;
           }
+          if (!longer) return Numbers();
           return x;
         }))
       continue;

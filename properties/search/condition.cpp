@@ -98,10 +98,10 @@ class ConditionSearch {
         Found of_feature;
         for (const Candidate& part : candidates(i, inputs)) {
           Found next = with({}, part, inputs.size(), failed, 0);
-          if (!holds_for_failures(next.counts)) continue;
           const bool little = trial_.names()[i].unit == " eps" && part.range.low < 16;  // it is rounding
+          if (!holds_for_failures(next.counts) || (little && (in_bands_ || part.range.high < 1))) continue;
           if (next.score > of_feature.score && !little) of_feature = next;
-          if (next.score > best.score && is_accepted(next) && !(little && in_bands_)) best = next;
+          if (next.score > best.score && is_accepted(next)) best = next;
         }
         if (!of_feature.parts.empty()) firsts.push_back(std::move(of_feature));
       }

@@ -108,6 +108,16 @@ TEST(Terms, OfPoses) {
       "where it fails, the term -1/2 phi x p has the opposite sign");
 }
 
+TEST(Terms, WithAPowerOfTheta) {
+  const auto square = [](const auto& x) { return M3(skew(three(x, 0)) * skew(three(x, 0))); };
+  EXPECT_EQ(told(op::exp3_matrix, 3,
+                 [&](const auto& x, auto& y) {
+                   const double t = three(x, 0).norm();
+                   add(y, 0, M3((1 - std::cos(t)) * (1 / t - 1 / (t * t)) * square(x)));
+                 }),
+            "where it fails, the term (1 - cos(theta))/theta^2 [phi]^2 is theta times the right one");
+}
+
 TEST(Terms, OfExponentialsAndJacobians) {
   EXPECT_EQ(told(op::left_jacobian3_inverse, 3,
                  [](const auto& x, auto& y) { add(y, 0, M3(0.5 * skew(three(x, 0)))); }),

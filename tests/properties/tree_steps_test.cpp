@@ -111,6 +111,52 @@ TEST(TreeSteps, NameTheStep) {
            return right(q, without_v(v));
          };
        }},
+      {"frame_motion", "each joint on the joint before it, in place of its parent,",
+       [](auto& o, const Tree<double>& tree) {
+         Tree<double> other = tree;
+         for (std::size_t i = 0; i < other.joints.size(); ++i)
+           other.joints[i].parent = static_cast<int>(i) - 1;
+         o[op::frame_pose] = own_subject().operations.tree(other)[op::frame_pose];
+       }},
+      {"frame_motion", "the shift of prismatic joints in the parent's axes",
+       [](auto& o, const Tree<double>& tree) {
+         o[op::frame_pose] = [tree](const VecX<double>& q) {
+           Tree<double> other = tree;
+           for (std::size_t i = 0; i < other.joints.size(); ++i) {
+             auto& j = other.joints[i];
+             if (j.kind != oracles::JointKind::prismatic || j.primary >= 0) continue;
+             const Vec<double, 3> shift = q[tree.idx_q[i]] * Vec<double, 3>(j.axis.x.data());
+             Eigen::Map<Vec<double, 3>>(j.p.x.data()) += shift - Eigen::Quaterniond(j.Q.x.data()) * shift;
+           }
+           return own_subject().operations.tree(other)[op::frame_pose](q);
+         };
+       }},
+      {"frame_motion", "atan(sin / cos) of continuous and planar joints, which is wrong by pi where cos < 0,",
+       [](auto& o, const Tree<double>& tree) {
+         o[op::frame_pose] = [tree, right = o[op::frame_pose]](VecX<double> q) {
+           for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+             const bool planar = tree.joints[i].kind == oracles::JointKind::planar;
+             if ((!planar && tree.joints[i].kind != oracles::JointKind::continuous) ||
+                 tree.joints[i].primary >= 0)
+               continue;
+             auto circle = q.segment<2>(tree.idx_q[i] + (planar ? 2 : 0));
+             if (circle[0] < 0) circle = -circle;
+           }
+           return right(q);
+         };
+       }},
+      {"frame_motion", "the linear velocity of free-flyer joints taken in the parent's axes",
+       [](auto& o, const Tree<double>& tree) {
+         o[op::frame_velocity] = [tree, right = o[op::frame_velocity]](const VecX<double>& q, VecX<double> v,
+                                                                       Seen seen) {
+           for (std::size_t i = 0; i < tree.joints.size(); ++i)
+             if (tree.joints[i].kind == oracles::JointKind::free_flyer) {
+               auto u = v.segment<3>(tree.idx_v[i]);
+               u = Eigen::Quaterniond(q.data() + tree.idx_q[i] + 3).conjugate() * Vec<double, 3>(u);
+             }
+           return right(q, v, seen);
+         };
+       }},
       {"lagrange", "no body on the last joint", [](auto& o, const Tree<double>& tree) {
          Tree<double> other = tree;
          other.joints.back().body.mass = 0;
