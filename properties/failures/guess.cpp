@@ -150,6 +150,12 @@ bool fails_at_zero(const FailedBlock& f) {
   });
 }
 
+/// Whether the cases have an angle.
+bool has_bands(const FailedBlock& f) {
+  return std::ranges::any_of(f.bands,
+                             [](const BandOf& b) { return b.series->bands()[b.band].axis != Axis::none; });
+}
+
 /// The convention in which the results at moderate arguments would be right, or "".
 std::string convention(const FailedBlock& f) {
   const Series& series = *f.worst->series;
@@ -268,8 +274,9 @@ std::string guess_of(const FailedBlock& f) {
       other = of_calls(approximation_of);
       // Most inputs of Euler angles are near gimbal lock, not moderate.
       return !other.empty() ? other
-                            : "a wrong term, factor or sign: moderate angles fail, too, and no other "
-                              "convention explains the results";
+             : has_bands(f) ? "a wrong term, factor or sign: moderate angles fail, too, and no other "
+                              "convention explains the results"
+                            : "a wrong term, factor or sign: no other convention explains the results";
     }
   }
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
@@ -299,9 +306,7 @@ std::string guess_of(const FailedBlock& f) {
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   // What has no angle loses the same digits wherever it fails, and a step in float leaves seven.
-  const bool has_bands = std::ranges::any_of(
-      f.bands, [](const BandOf& b) { return b.series->bands()[b.band].axis != Axis::none; });
-  if (of_double && !has_bands && 4 * f.failed > f.cases)
+  if (of_double && !has_bands(f) && 4 * f.failed > f.cases)
     if (std::string guess = of_calls(approximation_of); guess.find(" in float") != guess.npos) return guess;
   return of_value ? of_calls(wrong_numbers_of) : "";
 }

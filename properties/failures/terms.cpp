@@ -217,6 +217,13 @@ const Formula formulas[] = {
                {"m c x u", x[0] * c.cross(vector_at(x, 13))},
                {"m c x (omega x c)", x[0] * c.cross(w.cross(c))}};
      }},
+    {"inertia_matrix", 27, 9,
+     [](const Numbers& x) -> Terms {
+       const V3 c = vector_at(x, 1);
+       return {{"I_C", by_rows(matrix_at(x, 4))},
+               {"m |c|^2 1", by_rows(x[0] * c.squaredNorm() * M3::Identity())},
+               {"-m c c^T", by_rows(-x[0] * c * c.transpose())}};
+     }},
     {"kinetic_energy", 0, 1, [](const Numbers& x) -> Terms {
        const V3 c = vector_at(x, 1), u = vector_at(x, 13), w = vector_at(x, 16);
        return {{"1/2 m |u|^2", number(x[0] * u.squaredNorm() / 2)},

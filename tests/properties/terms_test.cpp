@@ -108,6 +108,15 @@ TEST(Terms, OfPoses) {
       "where it fails, the term -1/2 phi x p has the opposite sign");
 }
 
+TEST(Terms, OfTheInertiaMatrix) {
+  EXPECT_EQ(told(op::inertia_matrix, 13,
+                 [](const auto& x, auto& y) {
+                   const V3 c = three(x, 1);
+                   add(y, 27, M3(x[0] * c * c.transpose()));
+                 }),
+            "where it fails, the term -m c c^T is left out");
+}
+
 TEST(Terms, WithAPowerOfTheta) {
   const auto square = [](const auto& x) { return M3(skew(three(x, 0)) * skew(three(x, 0))); };
   EXPECT_EQ(told(op::exp3_matrix, 3,
