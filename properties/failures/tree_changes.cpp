@@ -224,6 +224,10 @@ void add_joints(Changes& c) {
     for (int i = 1; i < t.joints(); ++i) t.hang(i, 0);
   });
   c.of_joints("axes of joints in the opposite direction", TreeSlot::axis, 3, opposite);
+}
+
+void add_configurations(Changes& c) {
+  using enum JointKind;
   c.of_joints("the pitch 0 of helical joints", TreeSlot::pitch, 1, to_zero);
   c.of_joints("the pitch 0 of helical joints where it is negative", TreeSlot::pitch, 1,
               [](Span x) { x[0] = std::max(x[0], 0.0); });
@@ -364,7 +368,8 @@ constexpr std::string_view without_terms[]{"v = 0",
 const std::vector<TreeChange>& tree_changes() {
   static const std::vector<TreeChange> all = [] {
     Changes c;
-    add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_mimics(c), add_bodies_and_frame(c);
+    add_gravity_and_wrench(c), add_rates(c), add_joints(c), add_configurations(c), add_mimics(c),
+        add_bodies_and_frame(c);
     for (TreeChange& change : c.all)
       change.leaves_out = std::ranges::find(without_terms, change.text) != std::end(without_terms) ||
                           change.text.starts_with("v = 0 of ");
