@@ -84,6 +84,32 @@ Values gram_schmidt(const Numbers& x) {
 constexpr const char* stops_early =
     "Newton's iteration to the nearest rotation ends too early: one more step would do";
 
+/// The normalised sum of quaternions, each with the sign of the first one.
+Values summed(const Numbers& x) {
+  const Values first = given(x, 0, 4);
+  Values sum = x.at(12) * first;
+  for (const std::size_t i : {std::size_t(1), std::size_t(2)}) {
+    const Values Q = given(x, 4 * i, 4);
+    sum += (Q.dot(first) < 0 ? -x.at(12 + i) : x.at(12 + i)) * Q;
+  }
+  return sum.normalized();
+}
+/// The quaternion of R by the branch of its largest number k of x, y, z, with a difference of entries for number i in place of
+/// their sum.
+template <int k, int i, int sign>
+Values with_difference(const Numbers& x) {
+  const RowMajor3 R(x.data());
+  constexpr int j = 3 - i - k;
+  const double s = 2 * std::sqrt(1 + R(k, k) - R(i, i) - R(j, j));
+  Values Q(4);
+  Q[k] = s / 4, Q[i] = sign * (R(k, i) - R(i, k)) / s, Q[j] = (R(k, j) + R(j, k)) / s;
+  Q[3] = (R((k + 2) % 3, (k + 1) % 3) - R((k + 1) % 3, (k + 2) % 3)) / s;
+  return Q;
+}
+constexpr const char* difference_in_branch =
+    "in the branch of one of the entries of the diagonal, a number of Q is a difference of two entries of R "
+    "in place of their sum";
+
 /// A formula that libraries have in place of the right one, for some numbers of the result.
 struct Alternative {
   const char* operation;
@@ -100,6 +126,21 @@ const Alternative alternatives[] = {
      "rotation"},
     {"nearest_rotation", 0, 9, gram_schmidt<true, 0>,
      "the rows are made orthonormal one after another (Gram and Schmidt), which is not the nearest rotation"},
+    {"mean_rotation", 0, 4, summed,
+     "the sum of the quaternions, normalised, in place of the eigenvector that maximises sum_i w_i (Q . "
+     "Q_i)^2"},
+    {"quaternion_from_matrix", 0, 4, with_difference<0, 1, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<0, 1, -1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<0, 2, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<0, 2, -1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<1, 0, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<1, 0, -1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<1, 2, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<1, 2, -1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<2, 0, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<2, 0, -1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<2, 1, 1>, difference_in_branch},
+    {"quaternion_from_matrix", 0, 4, with_difference<2, 1, -1>, difference_in_branch},
     {"gram_schmidt", 0, 9, gram_schmidt<true, 0>, "the rows are made orthonormal in place of the columns"},
     {"gram_schmidt", 0, 9, gram_schmidt<false, 1>, "it begins with the second column in place of the first"},
     {"gram_schmidt", 0, 9, gram_schmidt<false, 2>, "it begins with the third column in place of the first"},

@@ -285,9 +285,9 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
     if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in))
       return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",
                          c->in_bands && !everywhere ? bands + ", and " : "",
-                         4 * c->failed >= 3 * c->cases ? ""
-                         : c->failed_elsewhere == 0    ? "only if "
-                                                       : "mostly if ",
+                         4 * c->failed >= 3 * c->cases                          ? ""
+                         : c->failed_elsewhere == 0 && 4 * c->failed > c->cases ? "only if "
+                                                                                : "mostly if ",
                          c->text, c->failed, c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
     if ((everywhere || scattered) && 2 * f.failed < f.cases) bands = "no condition found";
   }

@@ -18,6 +18,12 @@ struct NotedCall {
   std::uint64_t index = 0;  ///< of the case, if the call is one of sampled_calls()
 };
 
+/// A call, and its right result. A result of 6x6 numbers is in four blocks, 3x3 numbers each, one after another.
+struct JudgedCall {
+  NotedCall call;
+  std::vector<double> right;
+};
+
 /// What a law compared for one output, where it is no result of a call that `expected_of` knows: exact numbers.
 struct NotedComparison {
   std::vector<oracles::Real> computed, exact;

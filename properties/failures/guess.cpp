@@ -268,6 +268,7 @@ std::string guess_of(const FailedBlock& f) {
       if (std::string term = of_calls(wrong_term_of); !term.empty()) return term;
     for (const auto cause : {other_order_of, norm_power_of, in_place_of, wrong_term_of, wrong_numbers_of})
       if (other.empty()) other = of_calls(cause);
+    if (other.empty()) other = of_calls(substitution_of_one_kind);
     if (!other.empty() || operation_of(f).starts_with("euler_from")) return other;
     if (f.worst->series->on_robot || is_tree_law(f.worst->series->property)) return "";
     if (m.wrong * 3 > m.all) {
@@ -291,7 +292,8 @@ std::string guess_of(const FailedBlock& f) {
   if (!all.empty()) return all;
   if (std::string guess = of_double ? of_calls(float_of) : ""; !guess.empty()) return guess;
   const bool of_value = !f.block.ends_with("defect");  // a change of the arguments leaves a norm as it is
-  for (const auto cause : {substitution_of, other_order_of, norm_power_of, in_place_of, constant_of})
+  for (const auto cause :
+       {substitution_of, other_order_of, substitution_of_one_kind, norm_power_of, in_place_of, constant_of})
     if (std::string guess = of_value || cause == norm_power_of ? of_calls(cause) : ""; !guess.empty())
       return guess;
   if (std::string guess = of_value ? "" : of_calls(wrong_length_of); !guess.empty()) return guess;
@@ -306,7 +308,7 @@ std::string guess_of(const FailedBlock& f) {
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   // What has no angle loses the same digits wherever it fails, and a step in float leaves seven.
-  if (of_double && !has_bands(f) && 4 * f.failed > f.cases)
+  if (of_double && !has_bands(f) && 10 * f.failed > f.cases)
     if (std::string guess = of_calls(approximation_of); guess.find(" in float") != guess.npos) return guess;
   return of_value ? of_calls(wrong_numbers_of) : "";
 }

@@ -49,6 +49,7 @@ Vector6 gyroscopic(const Link& l, const Vector6& V, Step step, const Vector6* he
   if (step == opposite_gyroscopic) F = -F;
   if (step == no_gyroscopic_force) F.head<3>().setZero();
   if (step == no_gyroscopic_moment) F.tail<3>().setZero();
+  if (step == spin_gyroscopic) F << Vector3::Zero(), V.tail<3>().cross(momentum.tail<3>());
   if (step == no_gyroscopic_arm) F.tail<3>() -= V.head<3>().cross(momentum.head<3>());
   return F;
 }
@@ -187,7 +188,8 @@ Matrix mass_matrix(const Tree& t, const Wrong& wrong) {
       M(row, row) += l.armature;
     for (std::size_t j = i; t.links[j].parent >= 0;) {
       const Step passing = wrong.of(t.links[j]);
-      const Matrix6& X = t.at.X[passing == stale_columns ? i : j];
+      const auto parent = static_cast<std::size_t>(t.links[j].parent);
+      const Matrix6& X = t.at.X[passing == stale_columns ? i : passing == columns_of_parents ? parent : j];
       F = (with_arm(X, passing == turned_columns ? 0 : 1).transpose() * F).eval();
       j = static_cast<std::size_t>(t.links[j].parent);
       const Link& k = t.links[j];

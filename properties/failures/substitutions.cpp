@@ -188,6 +188,21 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
   return "";
 }
 
+std::string substitution_of_one_kind(const Operation& operation, const std::vector<JudgedCall>& calls) {
+  if (operation.arguments[0]->name != "order") return "";
+  std::string all;
+  for (const int kind : {1, 0}) {
+    std::vector<JudgedCall> some;
+    std::ranges::copy_if(calls, std::back_inserter(some), [&](const JudgedCall& c) {
+      return static_cast<int>(c.call.arguments[0]) % 2 == kind;
+    });
+    if (const std::string text = substitution_of(operation, some); !text.empty())
+      all +=
+          fmt::format("{}of {} axes, {}", all.empty() ? "" : "; ", kind == 1 ? "rotating" : "static", text);
+  }
+  return all;
+}
+
 std::string wrong_length_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   Wrong wrong(operation, calls, 1e-6);
   if (wrong.count() < 4) return "";

@@ -6,12 +6,6 @@
 
 namespace liecheck::properties {
 
-/// A call, and its right result. A result of 6x6 numbers is in four blocks, 3x3 numbers each, one after another.
-struct JudgedCall {
-  NotedCall call;
-  std::vector<double> right;
-};
-
 /// The calls of an output's operation that returned, and the right results, of a seed that is the same in every campaign: of its
 /// first 300 cases, of 1000 if few of these are wrong, or until twelve are. Empty if the oracle does not know the operation.
 std::vector<JudgedCall> judged_calls(const Series& series, std::size_t output);
@@ -23,6 +17,8 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
 /// "where it fails, the result is what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
 /// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+/// The same of Euler angles about turned axes alone, or about those that stay.
+std::string substitution_of_one_kind(const Operation& operation, const std::vector<JudgedCall>& calls);
 /// Parts of the result that are right but for their lengths, in words; or "".
 std::string wrong_length_of(const Operation& operation, const std::vector<JudgedCall>& calls);
 

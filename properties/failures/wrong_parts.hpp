@@ -1,8 +1,8 @@
 #pragma once
 // The parts of results that are wrong, and whether another formula gives them.
 
+#include <failures/calls.hpp>
 #include <failures/part_changes.hpp>
-#include <failures/substitutions.hpp>
 #include <functional>
 #include <optional>
 

@@ -11,6 +11,7 @@
 #include <numbers>
 #include "../own_subject.hpp"
 #include "finding_texts.hpp"
+#include "judged_calls.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -19,30 +20,6 @@ using V3 = Vec<double, 3>;
 using V4 = Vec<double, 4>;
 using V6 = Vec<double, 6>;
 using M6 = Mat<double, 6>;
-
-/// The call of an operation as the subject of liecheck answers it, changed by `plant`, at eight arguments.
-std::vector<JudgedCall> calls_of(const Operation& operation,
-                                 const std::vector<std::vector<double>>& arguments,
-                                 void (*plant)(const std::vector<double>& x, std::vector<double>& result)) {
-  std::vector<JudgedCall> all;
-  for (const std::vector<double>& x : arguments) {
-    JudgedCall call{{&operation, x, {}, ""}, {}};
-    for (const oracles::Real& number : expected_of(call.call))
-      call.right.push_back(static_cast<double>(number));
-    call.call.result = call.right;
-    plant(x, call.call.result);
-    all.push_back(std::move(call));
-  }
-  return all;
-}
-std::vector<std::vector<double>> numbers(std::size_t size) {
-  std::vector<std::vector<double>> all;
-  for (int k = 1; k <= 8; ++k) {
-    std::vector<double>& x = all.emplace_back();
-    for (std::size_t i = 0; i < size; ++i) x.push_back(std::sin(k + 2.3 * static_cast<double>(i)));
-  }
-  return all;
-}
 
 TEST(Substitutions, AnArgumentThatIsLeftOut) {
   const auto calls = calls_of(op::cross_motion, numbers(12), [](const auto& x, auto& result) {
@@ -86,106 +63,6 @@ TEST(Substitutions, ASmallResultIsNotZero) {
   };
   EXPECT_EQ(times(0), "where it fails, the result is 0");
   EXPECT_EQ(times(1e-9), "where it fails, the result is the right one times 1e-09");
-}
-
-TEST(Substitutions, AnotherOrderOfEulerAngles) {
-  auto arguments = numbers(4);
-  for (auto& x : arguments) x[0] = 4;
-  const auto calls = calls_of(op::euler_to_quaternion, arguments, [](const auto& x, auto& result) {
-    std::vector<double> y = x;
-    y[0] = 6;
-    result = exact("euler_to_quaternion", y);
-  });
-  EXPECT_EQ(other_order_of(op::euler_to_quaternion, calls),
-            "where it fails, the result is that of the order YZX");
-}
-
-TEST(Substitutions, AnotherOrderOfEulerAnglesOfEachKind) {
-  auto arguments = numbers(4);
-  for (std::size_t i = 0; i < arguments.size(); ++i) arguments[i][0] = 6 + static_cast<double>(i % 2);
-  const auto calls = calls_of(op::euler_to_matrix, arguments, [](const auto& x, auto& result) {
-    std::vector<double> y = x;
-    y[0] = x[0] == 6 ? 4 : 11;
-    result = exact("euler_to_matrix", y);
-  });
-  EXPECT_EQ(other_order_of(op::euler_to_matrix, calls),
-            "where it fails, the result is that of the order ZYX, rotating, or YXZ, static");
-}
-
-TEST(Substitutions, TheOppositeOfAWholeArgument) {
-  auto arguments = numbers(13);
-  for (auto& x : arguments)
-    for (std::size_t i = 3; i < 7; ++i) x[i] = i == 6 ? 0.5 : (i == 4 ? -0.5 : 0.5);
-  const auto calls = calls_of(op::integrate, arguments, [](const auto& x, auto& result) {
-    std::vector<double> y = x;
-    for (std::size_t i = 7; i < 13; ++i) y[i] = -y[i];
-    result = exact("integrate", y);
-  });
-  EXPECT_EQ(substitution_of(op::integrate, calls), "where it fails, the result is what -delta would give");
-}
-
-TEST(Substitutions, SignsThatAreLost) {
-  const auto calls = calls_of(op::log3_any_norm, numbers(4), [](const auto&, auto& result) {
-    for (double& x : result) x = std::fabs(x);
-  });
-  EXPECT_EQ(substitution_of(op::log3_any_norm, calls),
-            "where it fails, the result is right but for the signs of its numbers, which are lost");
-}
-
-TEST(Substitutions, AnAngleThatIsBroughtBackByPi) {
-  auto arguments = numbers(3);
-  for (auto& x : arguments)
-    for (double& number : x) number *= 4;
-  const auto calls = calls_of(op::exp3_matrix, arguments, [](const auto& x, auto& result) {
-    const double angle = std::hypot(x[0], x[1], x[2]), pi = std::numbers::pi;
-    std::vector<double> y = x;
-    for (double& number : y) number *= angle > pi ? 1 - pi / angle : 1;
-    result = exact("exp3_matrix", y);
-  });
-  EXPECT_EQ(
-      substitution_of(op::exp3_matrix, calls),
-      "where it fails, the result is what phi with pi, not 2 pi, taken from an angle above pi would give");
-}
-
-TEST(Substitutions, ALength) {
-  const auto longer = [](const auto& x, auto& result) {
-    for (double& number : result) number *= 1.5 + std::sin(9 * x[0]);
-  };
-  EXPECT_EQ(substitution_of(op::exp3_quaternion, calls_of(op::exp3_quaternion, numbers(3), longer)),
-            "where it fails, Q is right but for its length: it is not normalised");
-  EXPECT_EQ(substitution_of(op::screw_parameters, calls_of(op::screw_parameters, numbers(6),
-                                                           [](const auto& x, auto& result) {
-                                                             result[3] *= std::hypot(x[3], x[4], x[5]);
-                                                           })),
-            "where it fails, pitch is the right one times |omega|");
-}
-
-TEST(Substitutions, ColumnsThatAreNotNormalised) {
-  std::vector<std::vector<double>> arguments;
-  for (const auto& x : numbers(12)) {
-    std::vector<double> A = exact("exp3_matrix", {x[0], x[1], x[2]});
-    for (std::size_t i = 0; i < 9; ++i) A[i] += 0.05 * x[3 + i];
-    arguments.push_back(A);
-  }
-  const auto calls = calls_of(op::gram_schmidt, arguments, [](const auto& x, auto& result) {
-    for (std::size_t i = 0; i < 9; ++i) result[i] *= i % 3 == 0 ? 1 : 0.9 + 0.1 * std::sin(9 * x[0]);
-  });
-  EXPECT_EQ(wrong_length_of(op::gram_schmidt, calls),
-            "where it fails, the columns of R are right but for their lengths: they are not normalised");
-}
-
-TEST(Substitutions, AVectorThatIsOnlyTurned) {
-  std::vector<std::vector<double>> arguments;
-  for (const auto& x : numbers(9)) {
-    arguments.push_back(exact("exp3_matrix", {x[0], x[1], x[2]}));
-    arguments.back().insert(arguments.back().end(), x.begin() + 3, x.end());
-  }
-  const auto calls = calls_of(op::se23_log, arguments, [](const auto& x, auto& result) {
-    const V3 v(&x[12]);
-    V3::Map(&result[3]) =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(x.data()).transpose() * v;
-  });
-  EXPECT_EQ(substitution_of(op::se23_log, calls), "where it fails, nu is R^T v");
 }
 
 TEST(Substitutions, AProductInPlace) {
