@@ -308,7 +308,7 @@ std::string guess_of(const FailedBlock& f) {
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   // What has no angle loses the same digits wherever it fails, and a step in float leaves seven.
-  if (of_double && !has_bands(f) && 10 * f.failed > f.cases)
+  if (of_double && !has_bands(f) && 4 * f.failed > f.cases)
     if (std::string guess = of_calls(approximation_of); guess.find(" in float") != guess.npos) return guess;
   return of_value ? of_calls(wrong_numbers_of) : "";
 }

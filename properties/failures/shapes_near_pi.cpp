@@ -24,7 +24,10 @@ std::string Shape::near_pi() const {
     return fmt::format(
         "a threshold at pi - theta about {}, below which the result is that of theta = pi, or of another "
         "axis{}{}",
-        short_angle(step->angle), near_root(step->angle) ? ", or acos of a number that rounds to -1" : "",
+        short_angle(step->angle),
+        near_root(step->angle) && operation_of(f_) != "rotation_between"
+            ? ", or acos of a number that rounds to -1"
+            : "",
         !has_series(f_) && y(peak_ + 1) > 0 ? "; above it, 1 + cos(theta) or the cross product cancels" : "");
   if (!has_series(f_) && !has_angle(f_)) {
     std::size_t lost = 0;

@@ -350,10 +350,10 @@ std::string approximation_of(const Operation& operation, const std::vector<Judge
   const double most = errors[errors.size() * 9 / 10];
   if (!(most < 0.01)) return "";  // a wrong term or sign leaves less than two digits
   const auto digits = static_cast<int>(-std::log10(most));
-  // A float rounds by 6e-8, and a dozen times in a formula.
+  // A float rounds by 6e-8, and a dozen times in a formula: no result errs by more.
   return fmt::format(
       "an approximation: most results are right to {} digits, as those of {}", digits,
-      most > 2e-8 && most < 1e-6
+      most > 2e-9 && errors.back() < 1e-6
           ? "a step in float, of a series or an iteration that ends too early, or of a numerical derivative"
           : "a series or an iteration that ends too early, a numerical derivative, or a constant with few "
             "digits");
