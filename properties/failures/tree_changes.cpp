@@ -140,16 +140,18 @@ void add_rates(Changes& c) {
   };
   for (const Half& half :
        {Half{"v", 0, 6}, Half{"the linear velocity", 0, 3}, Half{"the angular velocity", 3, 6}})
-    for (const bool back : {true, false})
-      c.of_tree(fmt::format("{} of free-flyer joints {}", half.name,
-                            back ? "taken in the parent's axes" : "turned by the joint's rotation"),
-                [back, half](const TreeNumbers& t) {
+    for (const char* how : {"taken in the axes of the joint's placement", "taken in the parent's axes",
+                            "turned by the joint's rotation"})
+      c.of_tree(fmt::format("{} of free-flyer joints {}", half.name, how),
+                [how = std::string_view(how), half](const TreeNumbers& t) {
                   for (int i = 0; i < t.joints(); ++i) {
                     if (t.kind(i) != free_flyer) continue;
-                    const Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
+                    Eigen::Quaterniond Q(t.of_joint(i, TreeSlot::q_Q, 4).data());
+                    if (how.ends_with("parent's axes"))
+                      Q = Eigen::Quaterniond(t.of_joint(i, TreeSlot::Q, 4).data()) * Q;
                     for (int from = half.from; from < half.to; from += 3)
-                      turn(t.of_joint(i, TreeSlot::v + from, 3), Q, back),
-                          turn(t.of_joint(i, TreeSlot::a + from, 3), Q, back);
+                      for (const int at : {TreeSlot::v + from, TreeSlot::a + from})
+                        turn(t.of_joint(i, at, 3), Q, how.starts_with("taken"));
                   }
                 });
   for (const bool back : {true, false})

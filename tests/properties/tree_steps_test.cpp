@@ -145,7 +145,7 @@ TEST(TreeSteps, NameTheStep) {
            return right(q);
          };
        }},
-      {"frame_motion", "the linear velocity of free-flyer joints taken in the parent's axes",
+      {"frame_motion", "the linear velocity of free-flyer joints taken in the axes of the joint's placement",
        [](auto& o, const Tree<double>& tree) {
          o[op::frame_velocity] = [tree, right = o[op::frame_velocity]](const VecX<double>& q, VecX<double> v,
                                                                        Seen seen) {
