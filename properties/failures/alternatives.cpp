@@ -81,8 +81,7 @@ template <bool rows, Eigen::Index first>
 Values gram_schmidt(const Numbers& x) {
   return orthonormalised(x, rows, first);
 }
-constexpr const char* stops_early =
-    "Newton's iteration to the nearest rotation ends too early: one more step would do";
+constexpr const char* stops_early = "Newton's iteration to the nearest rotation ends too early";
 
 /// The normalised sum of quaternions, each with the sign of the first one.
 Values summed(const Numbers& x) {
@@ -142,8 +141,10 @@ const Alternative alternatives[] = {
     {"quaternion_from_matrix", 0, 4, with_difference<2, 1, 1>, difference_in_branch},
     {"quaternion_from_matrix", 0, 4, with_difference<2, 1, -1>, difference_in_branch},
     {"gram_schmidt", 0, 9, gram_schmidt<true, 0>, "the rows are made orthonormal in place of the columns"},
-    {"gram_schmidt", 0, 9, gram_schmidt<false, 1>, "it begins with the second column in place of the first"},
-    {"gram_schmidt", 0, 9, gram_schmidt<false, 2>, "it begins with the third column in place of the first"},
+    {"gram_schmidt", 0, 9, gram_schmidt<false, 1>,
+     "the method begins with the second column in place of the first"},
+    {"gram_schmidt", 0, 9, gram_schmidt<false, 2>,
+     "the method begins with the third column in place of the first"},
     {"slerp", 0, 4,
      [](const Numbers& x) -> Values { return ((1 - x[8]) * given(x, 0, 4) + x[8] * nearer(x)).normalized(); },
      "linear interpolation, normalised, in place of slerp: its angle is not t times that between Q0 and Q1"},

@@ -284,11 +284,8 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
       };
     if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in))
       return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",
-                         c->in_bands && !everywhere ? bands + ", and " : "",
-                         4 * c->failed >= 3 * c->cases                          ? ""
-                         : c->failed_elsewhere == 0 && 4 * c->failed > c->cases ? "only if "
-                                                                                : "mostly if ",
-                         c->text, c->failed, c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
+                         c->in_bands && !everywhere ? bands + ", and " : "", c->degree(), c->text, c->failed,
+                         c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
     if ((everywhere || scattered) && 2 * f.failed < f.cases) bands = "no condition found";
   }
   return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);

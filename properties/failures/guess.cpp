@@ -151,7 +151,7 @@ bool fails_at_zero(const FailedBlock& f) {
 }
 
 /// Whether the cases have an angle.
-bool has_bands(const FailedBlock& f) {
+bool has_bands_of_angles(const FailedBlock& f) {
   return std::ranges::any_of(f.bands,
                              [](const BandOf& b) { return b.series->bands()[b.band].axis != Axis::none; });
 }
@@ -275,9 +275,10 @@ std::string guess_of(const FailedBlock& f) {
       other = of_calls(approximation_of);
       // Most inputs of Euler angles are near gimbal lock, not moderate.
       return !other.empty() ? other
-             : has_bands(f) ? "a wrong term, factor or sign: moderate angles fail, too, and no other "
-                              "convention explains the results"
-                            : "a wrong term, factor or sign: no other convention explains the results";
+             : has_bands_of_angles(f)
+                 ? "a wrong term, factor or sign: moderate angles fail, too, and no other "
+                   "convention explains the results"
+                 : "a wrong term, factor or sign: no other convention explains the results";
     }
   }
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
@@ -308,7 +309,7 @@ std::string guess_of(const FailedBlock& f) {
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   // What has no angle loses the same digits wherever it fails, and a step in float leaves seven.
-  if (of_double && !has_bands(f) && 4 * f.failed > f.cases)
+  if (of_double && !has_bands_of_angles(f) && 4 * f.failed > f.cases)
     if (std::string guess = of_calls(approximation_of); guess.find(" in float") != guess.npos) return guess;
   return of_value ? of_calls(wrong_numbers_of) : "";
 }

@@ -103,12 +103,11 @@ bool given(const std::vector<JudgedCall>& calls, Other other) {
 std::string other_order_of(const Operation& operation, const std::vector<JudgedCall>& calls) {
   if (operation.arguments[0]->name != "order") return "";
   constexpr int orders = 12;
-  const auto kind_of = [](const JudgedCall& c) { return static_cast<int>(c.call.arguments[0]) % 2; };
+  bool one_kind = false;
   std::string orders_of[2];  // of angles about axes that stay, and about turned ones
   for (const int kind : {0, 1}) {
-    std::vector<JudgedCall> some;
-    std::ranges::copy_if(calls, std::back_inserter(some),
-                         [&](const JudgedCall& c) { return kind_of(c) == kind; });
+    const std::vector<JudgedCall> some = calls_of_kind(calls, kind);
+    one_kind = one_kind || some.size() == calls.size();
     for (int k = 0; k < orders && orders_of[kind].empty(); ++k)
       if (given(some, [&](const JudgedCall& c) {
             Numbers x = c.call.arguments;
@@ -119,8 +118,6 @@ std::string other_order_of(const Operation& operation, const std::vector<JudgedC
   }
   const auto& [fixed, rotating] = orders_of;
   if (rotating.empty() && fixed.empty()) return "";
-  const bool one_kind =
-      std::ranges::all_of(calls, [&](const JudgedCall& c) { return kind_of(c) == kind_of(calls[0]); });
   return fmt::format("where it fails, the result is that of the order {}",
                      one_kind || rotating == fixed ? fixed + (fixed.empty() ? rotating : "")
                      : fixed.empty()               ? rotating + ", rotating"

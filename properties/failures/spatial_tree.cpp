@@ -191,7 +191,7 @@ Matrix mass_matrix(const Tree& t, const Wrong& wrong) {
       const auto parent = static_cast<std::size_t>(t.links[j].parent);
       const Matrix6& X = t.at.X[passing == stale_columns ? i : passing == columns_of_parents ? parent : j];
       F = (with_arm(X, passing == turned_columns ? 0 : 1).transpose() * F).eval();
-      j = static_cast<std::size_t>(t.links[j].parent);
+      j = parent;
       const Link& k = t.links[j];
       if (step == only_blocks && k.v != l.v) continue;  // a mimic and its primary have one v
       M.block(k.v, l.v, k.size, l.size) += k.S.transpose() * F;

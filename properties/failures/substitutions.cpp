@@ -5,7 +5,7 @@
 #include <cmath>
 #include <conventions/values.hpp>
 #include <failures/relations.hpp>
-#include <failures/wrong_parts.hpp>
+#include <failures/turned_parts.hpp>
 #include <invariants/tree_laws.hpp>
 #include <iterator>
 #include <numbers>
@@ -188,15 +188,19 @@ std::string substitution_of(const Operation& operation, const std::vector<Judged
   return "";
 }
 
+std::vector<JudgedCall> calls_of_kind(const std::vector<JudgedCall>& calls, int kind) {
+  std::vector<JudgedCall> some;
+  std::ranges::copy_if(calls, std::back_inserter(some), [&](const JudgedCall& c) {
+    return static_cast<int>(c.call.arguments[0]) % 2 == kind;
+  });
+  return some;
+}
+
 std::string substitution_of_one_kind(const Operation& operation, const std::vector<JudgedCall>& calls) {
   if (operation.arguments[0]->name != "order") return "";
   std::string all;
   for (const int kind : {1, 0}) {
-    std::vector<JudgedCall> some;
-    std::ranges::copy_if(calls, std::back_inserter(some), [&](const JudgedCall& c) {
-      return static_cast<int>(c.call.arguments[0]) % 2 == kind;
-    });
-    if (const std::string text = substitution_of(operation, some); !text.empty())
+    if (const std::string text = substitution_of(operation, calls_of_kind(calls, kind)); !text.empty())
       all +=
           fmt::format("{}of {} axes, {}", all.empty() ? "" : "; ", kind == 1 ? "rotating" : "static", text);
   }

@@ -17,6 +17,8 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
 /// "where it fails, the result is what rho = 0 would give". A result is given if what is wrong in it is given to a hundredth of its error, which happens by chance
 /// once in a hundred calls at most. "" if no change gives them, or if fewer than four results are wrong by a millionth.
 std::string substitution_of(const Operation& operation, const std::vector<JudgedCall>& calls);
+/// The calls with Euler angles about turned axes (kind 1), or about axes that stay (0), of an operation that takes an order.
+std::vector<JudgedCall> calls_of_kind(const std::vector<JudgedCall>& calls, int kind);
 /// The same of Euler angles about turned axes alone, or about those that stay.
 std::string substitution_of_one_kind(const Operation& operation, const std::vector<JudgedCall>& calls);
 /// Parts of the result that are right but for their lengths, in words; or "".

@@ -230,7 +230,7 @@ void add_joints(Changes& c) {
 
 void add_configurations(Changes& c) {
   using enum JointKind;
-  c.of_tree("q read at the places of v", [](const TreeNumbers& t) {
+  c.of_tree("q read at the indices of v", [](const TreeNumbers& t) {
     std::vector<double> q;
     for (int i = 0; i < t.joints(); ++i)
       for (const double* x : t.q(i)) q.push_back(*x);

@@ -1,11 +1,10 @@
-// Wrong parts of results as the right ones turned, multiplied or not normalised.
+#include <failures/turned_parts.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <failures/wrong_parts.hpp>
 
 namespace liecheck::properties {
 

@@ -21,6 +21,13 @@ struct Condition {
   /// are lost.
   std::vector<std::pair<double, double>> errors;
   bool in_bands = false;  ///< it separates the inputs of the failing bands only
+
+  /// What stands before the text: nothing if three quarters of the inputs with it fail; "only if " if a quarter does, and none
+  /// without it; else "mostly if ", for inputs that were not drawn may then fail without it.
+  const char* degree() const {
+    if (4 * failed >= 3 * cases) return "";
+    return failed_elsewhere == 0 && 4 * failed > cases ? "only if " : "mostly if ";
+  }
 };
 
 /// The condition, of those that are no angle, that holds for nearly all failing inputs of an output and for few others; or

@@ -91,6 +91,19 @@ std::string text(const std::string& subject) {
   return c ? c->text : "";
 }
 
+TEST(Conditions, OnlyIfIsSaidOfAQuarterAndMore) {
+  const auto degree = [](std::uint64_t failed, std::uint64_t failed_elsewhere) {
+    Condition c;
+    c.failed = failed, c.cases = 100, c.failed_elsewhere = failed_elsewhere, c.elsewhere = 900;
+    return std::string(c.degree());
+  };
+  EXPECT_EQ(degree(75, 0), "");
+  EXPECT_EQ(degree(74, 0), "only if ");
+  EXPECT_EQ(degree(26, 0), "only if ");
+  EXPECT_EQ(degree(25, 0), "mostly if ");
+  EXPECT_EQ(degree(50, 1), "mostly if ");
+}
+
 TEST(Conditions, NameTheNumberOfTheArgumentThatSeparates) {
   EXPECT_EQ(text("where:w"), "Q.w < 0");
   EXPECT_EQ(text("where:y"), "Q.y < 0");
