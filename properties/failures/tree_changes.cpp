@@ -230,17 +230,6 @@ void add_joints(Changes& c) {
 
 void add_configurations(Changes& c) {
   using enum JointKind;
-  c.of_tree("q read at the indices of v", [](const TreeNumbers& t) {
-    std::vector<double> q;
-    for (int i = 0; i < t.joints(); ++i)
-      for (const double* x : t.q(i)) q.push_back(*x);
-    std::size_t at = 0;
-    for (int i = 0; i < t.joints(); ++i) {
-      const std::vector<double*> of_joint = t.q(i);
-      for (std::size_t k = 0; k < of_joint.size() && at + k < q.size(); ++k) *of_joint[k] = q[at + k];
-      if (!of_joint.empty()) at += static_cast<std::size_t>(oracles::velocity_size(t.kind(i)));
-    }
-  });
   c.of_joints("the pitch 0 of helical joints", TreeSlot::pitch, 1, to_zero);
   c.of_joints("the pitch 0 of helical joints where it is negative", TreeSlot::pitch, 1,
               [](Span x) { x[0] = std::max(x[0], 0.0); });

@@ -62,21 +62,6 @@ class TreeNumbers {
     }
     return R;
   }
-  /// The numbers of q of a joint, none of a mimic.
-  std::vector<double*> q(int joint) const {
-    using enum JointKind;
-    std::vector<double*> all;
-    if (primary(joint) >= 0) return all;
-    const JointKind of = kind(joint);
-    const auto add = [&](int from, int size) {
-      for (double& x : of_joint(joint, from, size)) all.push_back(&x);
-    };
-    const bool on_line = of == revolute || of == prismatic || of == helical;
-    if (on_line || of == planar || of == free_flyer) add(TreeSlot::q_p, on_line ? 1 : of == planar ? 2 : 3);
-    if (of == continuous || of == planar) add(TreeSlot::q_circle, 2);
-    if (of == spherical || of == free_flyer) add(TreeSlot::q_Q, 4);
-    return all;
-  }
   /// Turns two numbers of a planar joint by its angle, or back.
   void turn_in_plane(int joint, int from, bool back) const {
     const Span circle = of_joint(joint, TreeSlot::q_circle, 2), u = of_joint(joint, from, 2);
