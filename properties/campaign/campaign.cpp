@@ -146,8 +146,9 @@ class Engine {
   void work() {
     std::size_t s = 0;
     std::uint64_t from = 0, to = 0;
-    const auto limit = std::chrono::duration<double>(o_.seconds.value_or(1e8) + 1);
-    const GivesUp slow_calls(start_ + std::chrono::duration_cast<Clock::duration>(limit));
+    const auto limit = std::chrono::duration<double>(o_.seconds.value_or(0) + 1);
+    const GivesUp slow_calls(o_.seconds ? start_ + std::chrono::duration_cast<Clock::duration>(limit)
+                                        : GivesUp::never);
     const GivesUpLongSums long_sums;
     try {
       while (take(s, from, to)) {

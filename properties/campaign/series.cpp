@@ -72,10 +72,13 @@ struct [[gnu::packed]] Digested {
 /// The calls of one case in this many are checked. A checked call takes a little more than twice as long, but
 /// the oracles take most of the time of a case: with 4, no law that was timed became a tenth slower.
 constexpr std::uint64_t call_check_interval = 4;
+/// In one case in this many, a function of a tree is also called with neighbours of its input.
+constexpr std::uint64_t neighbour_interval = 32;
 /// One case in this many is also measured at 50 and 100 digits, to test the ball arithmetic. Its calls are
 /// checked, so that both oracles measure the same results.
 constexpr std::uint64_t cross_check_interval = 512;
-static_assert(cross_check_interval % call_check_interval == 0);
+static_assert(cross_check_interval % call_check_interval == 0 &&
+              neighbour_interval % call_check_interval == 0);
 
 bool any_failed(const std::vector<Judged>& judged) {
   return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
@@ -214,7 +217,7 @@ void Series::measure(Case& c) const {
     c.decided = measure_by_balls(c.x, c.judge);
     if (!c.decided) judged = measure_by_digits(c.x, limits_, every_kappa);
   } else {
-    const Checking checking(*this, c.index % cross_check_interval == 0);
+    const Checking checking(*this, c.index);
     c.decided = measure_by_balls(c.x, c.judge);
     if (c.decided && c.index % cross_check_interval == 0) {
       c.checked = true;
@@ -429,7 +432,7 @@ std::size_t Series::band_of_input(const std::vector<double>& x, std::size_t outp
 void Series::record_thrown(const std::exception& thrown, const std::vector<double>& x, Judge& judge) const {
   if (dynamic_cast<const std::bad_alloc*>(&thrown)) throw;  // says nothing about the subject
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
-  if (profile != Profile::ours && (!failed || failed->outcome == Outcome::refused) &&
+  if ((profile != Profile::ours || !adapter.empty()) && (!failed || failed->outcome == Outcome::refused) &&
       (norm_is_far_from_one(fields, x) || gives_no_rotations(law_->statement())))
     return judge.close(due, Outcome::outside_domain);
   if (failed && failed->outcome == Outcome::outside_domain) {
@@ -465,7 +468,7 @@ std::vector<Judged> Series::measure_case(const std::vector<double>& x, std::uint
     std::vector<Judged> judged = measure(x);
     return environment.restore() ? measured_with_checks(*this, x) : judged;
   }
-  const Checking checking(*this, index % cross_check_interval == 0);
+  const Checking checking(*this, index);
   std::vector<Judged> judged = measure(x);
   checking.judge(judged);
   return judged;
@@ -526,6 +529,11 @@ void Series::confirm(const std::vector<double>& x, std::vector<Judged>& judged) 
                                                          : !same(judged[i], again[i]);
     if (differs) fail_as(Outcome::not_repeatable, judged[i]);
   }
+}
+
+Series::Checking::Checking(const Series& series, std::uint64_t index)
+    : Checking(series, index % cross_check_interval == 0) {
+  log_.calls_neighbours = index % neighbour_interval == 0;
 }
 
 void Series::Checking::judge(std::vector<Judged>& judged) const {

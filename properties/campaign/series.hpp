@@ -93,6 +93,8 @@ class Series {
         : series_(series), before_(std::exchange(CallLog::current(), &log_)) {
       log_.keeps_results = one_result;
     }
+    /// Of the case with this index.
+    Checking(const Series& series, std::uint64_t index);
     Checking(const Checking&) = delete;
     Checking& operator=(const Checking&) = delete;
     ~Checking() { CallLog::current() = before_; }

@@ -272,6 +272,9 @@ std::string where_of(const FailedBlock& f) {
 }
 
 std::string where_and_how_often(const FailedBlock& f, const CampaignResult& campaign) {
+  if (worst_outcome(*f.worst->row) == "not repeatable")
+    return fmt::format("found in {} of {} cases in {}; calls are repeated in some of them alone", f.failed,
+                       f.cases, f.scalar);
   std::string bands = where_of(f);
   const BandOf& worst = *f.worst;
   const Series& series = *worst.series;
@@ -286,7 +289,10 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
       return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",
                          c->in_bands && !everywhere ? bands + ", and " : "", c->degree(), c->text, c->failed,
                          c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);
-    if ((everywhere || scattered) && 2 * f.failed < f.cases) bands = "no condition found";
+    if ((everywhere || scattered) && 2 * f.failed < f.cases)
+      bands = "no condition found";
+    else if (everywhere)
+      bands = "no condition found, in most cases";
   }
   return fmt::format("{}: {} of {} cases in {}", bands, f.failed, f.cases, f.scalar);
 }

@@ -16,7 +16,7 @@ Numbers scaled(Numbers x, double by) {
 Numbers along(const Numbers& x, const Numbers& delta) {
   return exact("integrate", joined({cut(x, 0, 7), scaled(delta, x[14])}));
 }
-Numbers with_rho(const Numbers& phi, const Vec3& p) {
+Numbers with_rho(const Numbers& phi, const Eigen::Vector3d& p) {
   return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
 }
 /// The tangent from q0 to q1 with the rotation vector phi.
@@ -37,7 +37,7 @@ Numbers phi_of(const Numbers& x) {
   return scaled(cut(x, 0, 3), x.at(3));
 }
 Numbers matrix_of(const Numbers& Q) {
-  return numbers<3>(Mat3(quat(Q).toRotationMatrix()));
+  return numbers<3>(RowMajor3(quat(Q).toRotationMatrix()));
 }
 
 /// (sin((1 - t) theta) a + sin(t theta) b) / sin(theta).
@@ -57,17 +57,18 @@ Numbers pose_of(const Numbers& x, std::size_t at) {
   return joined({cut(x, 0, 9), cut(x, at, 3)});
 }
 Numbers extended_exp(const Numbers& x, const Numbers& R, const Numbers& J) {
-  return joined({R, numbers(Vec3(mat3(J) * vec3(x, 0))), numbers(Vec3(mat3(J) * vec3(x, 3)))});
+  return joined(
+      {R, numbers(Eigen::Vector3d(mat3(J) * vec3(x, 0))), numbers(Eigen::Vector3d(mat3(J) * vec3(x, 3)))});
 }
 Numbers extended_log(const Numbers& x, const Numbers& phi, const Numbers& J_inverse) {
-  const Mat3 J = mat3(J_inverse);
+  const RowMajor3 J = mat3(J_inverse);
   return joined({rho_of(J, vec3(x, 9)), rho_of(J, vec3(x, 12)), phi});
 }
 Numbers extended_log(const Numbers& x, const Numbers& phi) {
   return extended_log(x, phi, exact("left_jacobian3_inverse", phi));
 }
 /// [[J, 0, C(rho)], [0, J, C(nu)], [0, 0, J]].
-Numbers jacobian9(const Mat3& J, const Mat3& of_rho, const Mat3& of_nu) {
+Numbers jacobian9(const RowMajor3& J, const RowMajor3& of_rho, const RowMajor3& of_nu) {
   Eigen::Matrix<double, 9, 9, Eigen::RowMajor> all = Eigen::Matrix<double, 9, 9, Eigen::RowMajor>::Zero();
   for (const Eigen::Index i : {0, 3, 6}) all.block<3, 3>(i, i) = J;
   all.block<3, 3>(0, 6) = of_rho, all.block<3, 3>(3, 6) = of_nu;
@@ -104,8 +105,8 @@ const Relation all_relations[] = {
     {"interpolate", "exp6",
      [](const CallOf& c) -> Numbers {
        const Numbers X = c.part(step_of(c.x));
-       return joined({numbers(Vec3(vec3(c.x, 0) + quat(c.x, 3) * vec3(X, 9))),
-                      numbers(Quat(quat(c.x, 3) * quat_of(mat3(X))))});
+       return joined({numbers(Eigen::Vector3d(vec3(c.x, 0) + quat(c.x, 3) * vec3(X, 9))),
+                      numbers(Eigen::Quaterniond(quat(c.x, 3) * quat_of(mat3(X))))});
      }},
     {"axis_angle_from_quaternion", "log3_quaternion",
      [](const CallOf& c) -> Numbers { return axis_and_angle(c.part(c.x)); }},
@@ -123,7 +124,9 @@ const Relation all_relations[] = {
     {"exp3_matrix", "matrix_from_quaternion",
      [](const CallOf& c) -> Numbers { return c.part(exact("exp3_quaternion", c.x)); }},
     {"rotate_point", "matrix_from_quaternion",
-     [](const CallOf& c) -> Numbers { return numbers(Vec3(mat3(c.part(cut(c.x, 0, 4))) * vec3(c.x, 4))); }},
+     [](const CallOf& c) -> Numbers {
+       return numbers(Eigen::Vector3d(mat3(c.part(cut(c.x, 0, 4))) * vec3(c.x, 4)));
+     }},
     {"slerp", "relative_angle",
      [](const CallOf& c) -> Numbers {
        const double half = c.part(cut(c.x, 0, 8)).at(0) / 2;
@@ -179,8 +182,8 @@ const Relation all_relations[] = {
     {"se23_right_jacobian", "right_jacobian6", by_jacobian6},
     {"transport_covariance", "adjoint",
      [](const CallOf& c) -> Numbers {
-       const Mat6 Ad = mat6(c.part(cut(c.x, 0, 12)));
-       return numbers<6>(Mat6(Ad * mat6(cut(c.x, 12, 36)) * Ad.transpose()));
+       const RowMajor6 Ad = mat6(c.part(cut(c.x, 0, 12)));
+       return numbers<6>(RowMajor6(Ad * mat6(cut(c.x, 12, 36)) * Ad.transpose()));
      }},
 };
 

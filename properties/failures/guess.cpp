@@ -9,6 +9,7 @@
 #include <failures/alternatives.hpp>
 #include <failures/blocks.hpp>
 #include <failures/calls.hpp>
+#include <failures/lost_digits.hpp>
 #include <failures/shapes.hpp>
 #include <failures/single_numbers.hpp>
 #include <failures/terms.hpp>
@@ -26,6 +27,10 @@ namespace {
 /// What results tell that are others when a call is made again, after other calls.
 constexpr const char* kept_state =
     "something is kept from one call to the next, such as a static variable, or read before it is written";
+
+constexpr const char* kept_positions =
+    "something is kept from one call to the next, such as what was computed for q, or for its first number, "
+    "while that is the same";
 
 /// What the failure of a relation alone tells, where the operation itself is right on other trees.
 constexpr std::pair<std::string_view, const char*> of_relations[]{
@@ -231,10 +236,25 @@ std::string of_jump(const FailedBlock& f) try {
   return "";
 }
 
+/// What errors over the angles and the outcomes tell, the worst first.
+std::string of_errors_over_angles(const FailedBlock& f) {
+  const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
+  const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
+  std::vector<std::string> guesses{of_branch_near_pi(f), near_pi_first ? near_pi : small,
+                                   near_pi_first ? small : near_pi, of_underflow(f)};
+  guesses.insert(worst_outcome(*f.worst->row).starts_with("NaN") ? guesses.begin() : guesses.end(),
+                 of_not_finite(f));
+  std::string all;
+  for (const std::string& guess : guesses)
+    if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
+  return all;
+}
+
 }  // namespace
 
 std::string guess_of(const FailedBlock& f) {
-  if (worst_outcome(*f.worst->row) == std::string_view("not repeatable")) return kept_state;
+  if (worst_outcome(*f.worst->row) == "not repeatable")
+    return is_tree_law(f.worst->series->property) ? kept_positions : kept_state;
   if (f.block == "jump") return of_jump(f);
   const double eps = f.worst->series->eps;
   const Moderate m = at_moderate_angles(f, eps);
@@ -281,16 +301,12 @@ std::string guess_of(const FailedBlock& f) {
                  : "a wrong term, factor or sign: no other convention explains the results";
     }
   }
-  const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
-  const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
-  std::vector<std::string> guesses{of_branch_near_pi(f), near_pi_first ? near_pi : small,
-                                   near_pi_first ? small : near_pi, of_underflow(f)};
-  guesses.insert(worst_outcome(*f.worst->row).starts_with("NaN") ? guesses.begin() : guesses.end(),
-                 of_not_finite(f));
-  std::string all;
-  for (const std::string& guess : guesses)
-    if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
-  if (!all.empty()) return all;
+  const auto lost_digits = [&](const Operation& operation, const std::vector<JudgedCall>& all) {
+    return lost_digits_of(operation, all, f.worst->series->format().is_float());
+  };
+  if (has_lost_digits(operation_of(f)))
+    if (std::string guess = of_calls(lost_digits); !guess.empty()) return guess;
+  if (std::string guess = of_errors_over_angles(f); !guess.empty()) return guess;
   if (std::string guess = of_double ? of_calls(float_of) : ""; !guess.empty()) return guess;
   const bool of_value = !f.block.ends_with("defect");  // a change of the arguments leaves a norm as it is
   for (const auto cause :

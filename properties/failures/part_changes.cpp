@@ -115,6 +115,10 @@ void add_changes(const PartPlace& at, const std::vector<PartPlace>& all, bool of
           [](Span x) { std::ranges::rotate(x, x.end() - 1); });
   }
   whole("0", name + " = 0", [](Span x) { std::ranges::fill(x, 0.0); });
+  if (at.size == 1 && of_result) {  // more than the opposite, which it is where it is wrong
+    whole("the absolute value of the right one", name, [](Span x) { x[0] = std::fabs(x[0]); });
+    whole("minus the absolute value of the right one", name, [](Span x) { x[0] = -std::fabs(x[0]); });
+  }
   whole("the opposite of the right one", "-" + name, [](Span x) {
     for (double& v : x) v = -v;
   });

@@ -15,16 +15,17 @@ namespace {
 /// Of a rotation vector that is not predicted, but taken from the result.
 const Numbers unknown(3, unknown_number);
 
-Numbers with_rho(const Numbers& phi, const Vec3& p) {
+Numbers with_rho(const Numbers& phi, const Eigen::Vector3d& p) {
   return joined({rho_of(mat3(exact("left_jacobian3_inverse", phi)), p), phi});
 }
 /// exp6 of the rotation R and phi, with the exact translation.
-Numbers exp_of(const Mat3& R, const Numbers& x) {
-  return joined({numbers<3>(R), numbers(Vec3(mat3(exact("left_jacobian3", cut(x, 3, 3))) * vec3(x, 0)))});
+Numbers exp_of(const RowMajor3& R, const Numbers& x) {
+  return joined(
+      {numbers<3>(R), numbers(Eigen::Vector3d(mat3(exact("left_jacobian3", cut(x, 3, 3))) * vec3(x, 0)))});
 }
 /// q0 and then a pose (R, p) or a rotation Q and a translation p.
-Numbers moved(const Numbers& x, const Quat& Q, const Vec3& p) {
-  return joined({numbers(Vec3(vec3(x, 0) + quat(x, 3) * p)), numbers(quat(x, 3) * Q)});
+Numbers moved(const Numbers& x, const Eigen::Quaterniond& Q, const Eigen::Vector3d& p) {
+  return joined({numbers(Eigen::Vector3d(vec3(x, 0) + quat(x, 3) * p)), numbers(quat(x, 3) * Q)});
 }
 
 /// The pose in the plane from the body at q0 to the body at q1.
@@ -53,25 +54,25 @@ Numbers by_difference(const CallOf& c, const char* operation, const Jacobian& ja
 
 const Relation all_relations[] = {
     {"exp3_matrix", "exp3_quaternion",
-     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+     [](const CallOf& c) -> Numbers { return numbers<3>(RowMajor3(quat(c.part(c.x)).toRotationMatrix())); }},
     {"log3_matrix", "log3_quaternion",
      [](const CallOf& c) -> Numbers { return c.part(numbers(quat_of(mat3(c.x)))); }},
     {"exp6", "exp3_matrix",
      [](const CallOf& c) -> Numbers { return exp_of(mat3(c.part(cut(c.x, 3, 3))), c.x); }},
     {"exp6", "exp3_quaternion",
      [](const CallOf& c) -> Numbers {
-       return exp_of(Mat3(quat(c.part(cut(c.x, 3, 3))).toRotationMatrix()), c.x);
+       return exp_of(RowMajor3(quat(c.part(cut(c.x, 3, 3))).toRotationMatrix()), c.x);
      }},
     {"exp6", "left_jacobian3",
      [](const CallOf& c) -> Numbers {
-       return joined(
-           {cut(exact("exp6", c.x), 0, 9), numbers(Vec3(mat3(c.part(cut(c.x, 3, 3))) * vec3(c.x, 0)))});
+       return joined({cut(exact("exp6", c.x), 0, 9),
+                      numbers(Eigen::Vector3d(mat3(c.part(cut(c.x, 3, 3))) * vec3(c.x, 0)))});
      }},
     {"exp6", "left_jacobian3",  // as the rotation times the right Jacobian, which is the left one of -phi
      [](const CallOf& c) -> Numbers {
        const Numbers all = exact("exp6", c.x);
-       return joined(
-           {cut(all, 0, 9), numbers(Vec3(mat3(all) * mat3(c.part(minus(cut(c.x, 3, 3)))) * vec3(c.x, 0)))});
+       return joined({cut(all, 0, 9), numbers(Eigen::Vector3d(
+                                          mat3(all) * mat3(c.part(minus(cut(c.x, 3, 3)))) * vec3(c.x, 0)))});
      }},
     {"log6", "log3_matrix",
      [](const CallOf& c) -> Numbers { return with_rho(c.part(cut(c.x, 0, 9)), vec3(c.x, 9)); }},
@@ -128,8 +129,8 @@ const Relation all_relations[] = {
     {"d_integrate_arg0", "exp6",
      [](const CallOf& c) -> Numbers {
        const Numbers X = c.part(cut(c.x, 7, 6));
-       const Mat3 R = mat3(X).transpose();
-       return numbers<6>(adjoint(R, Vec3(-R * vec3(X, 9))));
+       const RowMajor3 R = mat3(X).transpose();
+       return numbers<6>(adjoint(R, Eigen::Vector3d(-R * vec3(X, 9))));
      }},
     {"d_integrate_arg1", "right_jacobian6",
      [](const CallOf& c) -> Numbers { return c.part(cut(c.x, 7, 6)); }},
@@ -161,20 +162,20 @@ const Relation all_relations[] = {
     {"right_jacobian6_inverse", "left_jacobian6_inverse",
      [](const CallOf& c) -> Numbers { return c.part(minus(c.x)); }},
     {"left_jacobian3_inverse", "left_jacobian3",
-     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(mat3(c.part(c.x)).inverse())); }},
+     [](const CallOf& c) -> Numbers { return numbers<3>(RowMajor3(mat3(c.part(c.x)).inverse())); }},
     {"left_jacobian6", "left_jacobian3",
      [](const CallOf& c) -> Numbers {
        return jacobian6(mat3(c.part(cut(c.x, 3, 3))), coupling_of(exact("left_jacobian6", c.x)));
      }},
     {"left_jacobian6_inverse", "left_jacobian3_inverse",
      [](const CallOf& c) -> Numbers {
-       const Mat3 J = mat3(c.part(cut(c.x, 3, 3)));
-       return jacobian6(J, Mat3(-J * coupling_of(exact("left_jacobian6", c.x)) * J));
+       const RowMajor3 J = mat3(c.part(cut(c.x, 3, 3)));
+       return jacobian6(J, RowMajor3(-J * coupling_of(exact("left_jacobian6", c.x)) * J));
      }},
     {"left_jacobian6_inverse", "left_jacobian6",
      [](const CallOf& c) -> Numbers {
-       const Mat3 J = mat3(exact("left_jacobian3_inverse", cut(c.x, 3, 3)));
-       return jacobian6(J, Mat3(-J * coupling_of(c.part(c.x)) * J));
+       const RowMajor3 J = mat3(exact("left_jacobian3_inverse", cut(c.x, 3, 3)));
+       return jacobian6(J, RowMajor3(-J * coupling_of(c.part(c.x)) * J));
      }},
     {"relative_angle", "log3_quaternion",
      [](const CallOf& c) -> Numbers { return {vec3(c.part(relative_quaternion(c.x, 0, 4)), 0).norm()}; }},
@@ -200,14 +201,14 @@ const Relation all_relations[] = {
     {"se2_difference", "se2_log",
      [](const CallOf& c) -> Numbers { return c.part(relative_planar_pose(c.x)); }},
     {"euler_to_matrix", "euler_to_quaternion",
-     [](const CallOf& c) -> Numbers { return numbers<3>(Mat3(quat(c.part(c.x)).toRotationMatrix())); }},
+     [](const CallOf& c) -> Numbers { return numbers<3>(RowMajor3(quat(c.part(c.x)).toRotationMatrix())); }},
     {"euler_to_quaternion", "exp3_quaternion",  // both by way of a matrix
      [](const CallOf& c) -> Numbers {
        return c.part(exact("log3_quaternion", exact("euler_to_quaternion", c.x)));
      }},
     {"euler_from_quaternion", "euler_from_matrix",
      [](const CallOf& c) -> Numbers {
-       return c.part(joined({{c.x[0]}, numbers<3>(Mat3(quat(c.x, 1).toRotationMatrix()))}));
+       return c.part(joined({{c.x[0]}, numbers<3>(RowMajor3(quat(c.x, 1).toRotationMatrix()))}));
      }},
 };
 
@@ -222,9 +223,9 @@ Numbers exact(const char* name, const Numbers& arguments) {
 }
 
 Numbers relative_pose(const Numbers& x) {
-  const Quat q0 = quat(x, 3), q1 = quat(x, 10);
-  return joined({numbers<3>(Mat3((q0.conjugate() * q1).toRotationMatrix())),
-                 numbers(Vec3(q0.conjugate() * (vec3(x, 7) - vec3(x, 0))))});
+  const Eigen::Quaterniond q0 = quat(x, 3), q1 = quat(x, 10);
+  return joined({numbers<3>(RowMajor3((q0.conjugate() * q1).toRotationMatrix())),
+                 numbers(Eigen::Vector3d(q0.conjugate() * (vec3(x, 7) - vec3(x, 0))))});
 }
 
 std::span<const Relation> relations() {

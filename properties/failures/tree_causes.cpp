@@ -46,6 +46,11 @@ Few<const Operation*, 3> parts_of(const FailedBlock& f) {
 /// What an operation does on each of some trees: it fails, passes, or is not judged.
 using Verdicts = std::vector<std::optional<bool>>;
 
+/// Whether a call gave another result when it was repeated.
+bool is_kept(const FailedBlock& f) {
+  return std::ranges::any_of(f.bands, [](const BandOf& b) { return b.row->not_repeatable > 0; });
+}
+
 /// The trees of the first cases of a law.
 void add_trees(std::vector<std::vector<double>>& to, const Series& series, std::uint64_t seed) {
   constexpr std::uint64_t each = 50;
@@ -67,6 +72,11 @@ std::map<std::string_view, Verdicts> verdicts_of(const Series& series,
     }
   }
   return all;
+}
+
+bool passes_all(const Verdicts& verdicts) {
+  return std::ranges::none_of(verdicts,
+                              [](const std::optional<bool>& fails) { return fails.value_or(false); });
 }
 
 /// Whether two operations fail on the same trees: nine of ten trees on which the one fails that does so less often are trees
@@ -116,6 +126,15 @@ std::map<std::string_view, std::string_view> tree_causes(const std::vector<const
   std::vector<std::string_view> order;
   for (const auto& [operation, block] : measured) order.push_back(operation);
   std::ranges::stable_sort(order, {}, place_of);
+  // Calls are repeated in few cases, so what keeps a state need not fail on the same trees. What also passes on all trees
+  // now fails after other calls alone.
+  const auto kept = std::ranges::find_if(order, [&](std::string_view operation) {
+    return worst_outcome(*measured.at(operation)->worst->row) == "not repeatable";
+  });
+  for (const std::string_view operation : order)
+    if (kept != order.end() && operation != *kept &&
+        (is_kept(*measured.at(operation)) || passes_all(verdicts[operation])))
+      causes.emplace(operation, *kept);
   for (std::size_t i = 1; i < order.size(); ++i)
     for (std::size_t k = 0; k < i && !causes.contains(order[i]); ++k)
       if (fail_on_the_same(verdicts[order[k]], verdicts[order[i]])) causes[order[i]] = order[k];

@@ -333,6 +333,11 @@ void add_bodies_and_frame(Changes& c) {
         Rounded{"placements of joints", TreeSlot::Q, 7}, Rounded{"axes of joints", TreeSlot::axis, 3},
         Rounded{"q", TreeSlot::q_p, 9}, Rounded{"v", TreeSlot::v, 6}, Rounded{"a", TreeSlot::a, 6}})
     c.of_joints(fmt::format("{} rounded to float", r.what), r.from, r.size, to_float);
+  c.of_joints("angles of revolute and helical joints rounded to float",
+              "angles of revolute and helical joints rounded to float", TreeSlot::q_p, 1, to_float,
+              [](const TreeNumbers& t, int i) {
+                return t.kind(i) == JointKind::revolute || t.kind(i) == JointKind::helical;
+              });
   c.of_tree("masses rounded to float", [](const TreeNumbers& t) {
     for (int i = 0; i < t.joints(); ++i) t.mass(i) = oracles::rounded_to_float(t.mass(i));
   });

@@ -21,4 +21,7 @@ struct TreeChange {
 /// The simplest first.
 const std::vector<TreeChange>& tree_changes();
 
+/// Changes of what becomes of two halves of a body on one joint, as the law of split bodies makes them.
+const std::vector<TreeChange>& changes_of_halves();
+
 }  // namespace liecheck::properties

@@ -143,6 +143,20 @@ constexpr ChangedResult changed_numbers[]{
     {"right but for numbers that are 0", [](double x, bool wrong) { return wrong ? 0 : x; }},
     {"right but for numbers of the opposite sign", [](double x, bool wrong) { return wrong ? -x : x; }}};
 
+/// Whether the wrong numbers are beside the diagonal of a square matrix, on one side of it: " below" or " above" it; or "".
+std::string side_of_diagonal(const std::vector<WrongTree>& trees) {
+  bool below = true, above = true;
+  for (const WrongTree& tree : trees) {
+    const auto n = static_cast<std::size_t>(std::lround(std::sqrt(tree.right.size())));
+    if (n * n != tree.right.size()) return "";
+    const double scale = distance(tree.got, tree.right) / 100 / std::sqrt(tree.right.size());
+    for (std::size_t i = 0; i < n * n; ++i)
+      if (const std::size_t row = i / n, column = i % n; std::fabs(tree.got[i] - tree.right[i]) > scale)
+        below &= row > column, above &= row < column;
+  }
+  return below == above ? "" : below ? " below the diagonal" : " above the diagonal";
+}
+
 template <std::size_t N>
 std::string change_of_result(const ChangedResult (&changes)[N], const std::vector<WrongTree>& trees) {
   for (const ChangedResult& change : changes)
@@ -178,6 +192,15 @@ std::string other_result(const std::vector<WrongTree>& trees, const Output& of) 
   return "";
 }
 
+/// Whether errors are those of a float in nine of ten trees: q of many turns, which some have, makes them larger.
+bool is_of_float(const std::vector<WrongTree>& trees) {
+  const auto small = std::ranges::count_if(trees, [](const WrongTree& tree) {
+    const double error = distance(tree.got, tree.right) / distance(tree.right, Numbers(tree.right.size(), 0));
+    return error > 1e-10 && error < 1e-6;
+  });
+  return 10 * small >= 9 * std::ssize(trees);
+}
+
 /// Whether an output is right on nine of ten trees, and on three at least, after a change of them, and not only 0.
 bool is_right_with(const TreeChange& change, const Series& series, std::size_t output,
                    const std::vector<WrongTree>& trees) {
@@ -208,9 +231,11 @@ std::string tree_substitution_of(const Series& series, std::size_t output) try {
   if (series.on_robot || !is_tree_law(series.property)) return "";
   const std::vector<WrongTree> trees = wrong_trees(series, output);
   if (trees.size() < 3) return "";
-  if (std::string text = change_of_result(changed_results, trees); !text.empty()) return text;
-  if (std::string text = other_result(trees, series.outputs[output]); !text.empty()) return text;
   const Output& of = series.outputs[output];
+  const bool of_halves = of.operation == "rnea_of_split_bodies";  // one of which may give half of the result
+  if (std::string text = of_halves ? "" : change_of_result(changed_results, trees); !text.empty())
+    return text;
+  if (std::string text = other_result(trees, of); !text.empty()) return text;
   std::string best;
   std::size_t most = 0;
   /// The first of those that explain most trees.
@@ -226,7 +251,7 @@ std::string tree_substitution_of(const Series& series, std::size_t output) try {
       return step.result(links[static_cast<std::size_t>(&tree - trees.data())], tree.measurement);
     });
   const bool of_columns = is_of_columns(series, output);
-  for (const TreeChange& change : tree_changes()) {
+  for (const TreeChange& change : of_halves ? changes_of_halves() : tree_changes()) {
     const std::string& text = of_columns ? change.of_columns : change.text;
     if (text.empty()) continue;
     attempt(text, [&](const WrongTree& tree) -> std::optional<Numbers> {
@@ -240,7 +265,13 @@ std::string tree_substitution_of(const Series& series, std::size_t output) try {
     });
   }
   if (!best.empty()) return best;
-  return change_of_result(changed_numbers, trees);
+  if (series.eps < 1e-10 && is_of_float(trees))
+    return fmt::format("a constant or a step of the calculation has too few digits, such as one in float{}",
+                       of.operation.find("derivative") != of.operation.npos
+                           ? ", or a difference of two results stands for a derivative"
+                           : "");
+  const std::string text = change_of_result(changed_numbers, trees);
+  return text.ends_with("that are 0") ? text + side_of_diagonal(trees) : text;
 } catch (const GivenUp&) {  // a signal ended a call
   return "";
 }

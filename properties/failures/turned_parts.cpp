@@ -110,6 +110,7 @@ std::string length_of(const Wrong& wrong, const std::vector<PartPlace>& places) 
           return fmt::format("where it fails, {} is the right one times |{}|{}", part.part->name,
                              name_of(by, places), power == 1 ? "" : fmt::format("^{}", power));
     const std::size_t columns = part.size == 9 ? 3 : 1;
+    Numbers lengths;
     if (part.size < 3 || part.size > 9 || !wrong.given_by([&](const JudgedCall& c) {
           Numbers x = c.right;
           const Span right = part.in(x);
@@ -121,17 +122,23 @@ std::string length_of(const Wrong& wrong, const std::vector<PartPlace>& places) 
               of_right = std::hypot(of_right, right[i]);
             for (std::size_t i = k; i < part.size; i += columns) right[i] *= of_got / of_right;
             longer |= std::fabs(of_got / of_right - 1) > 0.01;
+            lengths.push_back(of_got);
           }
           if (!longer) return Numbers();
           return x;
         }))
       continue;
-    return columns == 3 ? fmt::format(
-                              "where it fails, the columns of {} are right but for their lengths: they are "
-                              "not normalised",
-                              part.part->name)
-                        : fmt::format("where it fails, {} is right but for its length{}", part.part->name,
-                                      is_quaternion(part) ? ": it is not normalised" : "");
+    if (columns == 3)
+      return fmt::format(
+          "where it fails, the columns of {} are right but for their lengths: they are not normalised",
+          part.part->name);
+    const auto [shortest, longest] = std::ranges::minmax(lengths);
+    return fmt::format("where it fails, {} is right but for its length{}", part.part->name,
+                       is_quaternion(part)          ? ": it is not normalised"
+                       : longest < 1.001 * shortest ? fmt::format(", which is {:.3g} in all of them: a limit "
+                                                                  "of it, or of what it is divided by",
+                                                                  longest)
+                                                    : "");
   }
   return "";
 }

@@ -1,7 +1,8 @@
 #pragma once
 // Checks of a subject's calls that need no oracle. Each call is made twice, with copies of its arguments: both results
 // must have the same bits, except that one NaN is as good as another, and the copies must keep theirs. The memory of a
-// result is filled with another pattern before each call. A number that keeps both patterns was not written. All checked
+// result is filled with another pattern before each call. A number that keeps both patterns was not written. Between the two
+// calls of a function of a tree are some with neighbours of its input, in one checked case of eight. All checked
 // calls run in the rounding mode and with the treatment of subnormals that mode_of_calls says
 // (support/float_environment.hpp).
 //
@@ -32,7 +33,8 @@ class CallLog {
   std::vector<Finding> findings;
   std::vector<Noted> results;
   bool keeps_results = false;
-  int trees = 0;  ///< built since the case was last measured from its beginning
+  bool calls_neighbours = true;  ///< functions of trees are called with other inputs before the second time
+  int trees = 0;                 ///< built since the case was last measured from its beginning
 
   /// The log of this thread, or null if its calls are not checked.
   static CallLog*& current();

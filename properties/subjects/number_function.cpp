@@ -36,6 +36,31 @@ bool call_twice(const First& first, const Second& second) {
   return environment.restore() || changed;
 }
 
+/// Calls a function of a tree for neighbours of its input, which are as valid: with -q, and v, a and tau times -1/2; then
+/// with the first number of q as it is, and then with q as it is. Where a library keeps what it computed for as
+/// long as the first number of q, or q, is the same, a call with the input itself now finds what belongs to a neighbour.
+template <class S>
+void call_neighbours(const NumberFunction& f, std::span<const std::byte> in, std::span<std::byte> out) {
+  Room<S> x(in.size() / sizeof(S));
+  for (const std::size_t kept_of_q : {std::size_t(0), std::size_t(1), x.all().size()}) {
+    std::memcpy(x.data(), in.data(), in.size());
+    S* at = x.data();
+    bool any = false;
+    for (const Layout* layout : f.operation->arguments) {
+      const bool of_joints = layout->parts.size() == 1 && layout->parts[0].size < 0;
+      const std::size_t n = count_numbers(std::span(&layout, 1), f.model);
+      const bool is_q = of_joints && layout->parts[0].size == nq;
+      for (std::size_t i = is_q ? kept_of_q : 0; of_joints && i < n; ++i, any = true)
+        at[i] *= is_q ? S(-1) : S(-0.5);
+      at += n;
+    }
+    try {
+      if (any) compute(f, x.data(), out.data());
+    } catch (const std::exception&) {  // of an input that no law asks for
+    }
+  }
+}
+
 /// Calls a function, and notes in the log what is wrong with the call.
 void call_checked(CallLog& log, const NumberFunction& f, std::span<std::byte> in, std::span<std::byte> out) {
   std::string given;
@@ -51,6 +76,8 @@ void call_checked(CallLog& log, const NumberFunction& f, std::span<std::byte> in
   const bool changed =
       call_twice([&] { std::ranges::fill(out, first_pattern), compute(f, in.data(), out.data()); },
                  [&] {
+                   if (log.calls_neighbours && f.model.nq > 0)
+                     f.scalar->with([&]<class S>() { call_neighbours<S>(f, again.all(), second.all()); });
                    std::ranges::fill(second.all(), second_pattern), compute(f, again.data(), second.data());
                    repeated = true;
                  });

@@ -37,24 +37,29 @@ class Unfinished {
 /// no law takes it for a refusal.
 struct GivenUp {};
 
-/// While one exists, slow calls of adapters on this thread are given up at stop_requested and after `until`. Soon after a
+/// While one exists, slow calls of adapters on this thread are given up at stop_requested and after `until`, if there is
+/// an end: the clock is not read without one, because long sums ask at every row. Soon after a
 /// signal, those of every thread are given up: what is printed at the end may call an adapter only if that is fast.
 class GivesUp {
  public:
   using Clock = std::chrono::steady_clock;
-  explicit GivesUp(Clock::time_point until) { until_ = until; }
-  ~GivesUp() { until_ = never; }
+  static constexpr Clock::time_point never = Clock::time_point::max();
+  explicit GivesUp(Clock::time_point until) {
+    exists_ = true;
+    until_ = until;
+  }
+  ~GivesUp() { exists_ = false; }
   GivesUp(const GivesUp&) = delete;
   GivesUp& operator=(const GivesUp&) = delete;
   static bool now() {
     const long signal = signalled_at;
-    return (until_ != never && (stop_requested || Clock::now() > until_)) ||
+    return (exists_ && (stop_requested || (until_ != never && Clock::now() > until_))) ||
            (signal && Clock::now().time_since_epoch() > std::chrono::milliseconds(signal) + grace);
   }
 
  private:
   static constexpr std::chrono::milliseconds grace{700};
-  static constexpr Clock::time_point never = Clock::time_point::max();
+  static inline thread_local bool exists_ = false;
   static inline thread_local Clock::time_point until_ = never;
 };
 

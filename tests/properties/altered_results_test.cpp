@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <failures/alternatives.hpp>
+#include <failures/lost_digits.hpp>
 #include <failures/single_numbers.hpp>
 #include <numbers>
 #include <operations/operations.hpp>
@@ -104,6 +105,18 @@ TEST(Substitutions, SignsThatAreLost) {
             "where it fails, the result is right but for the signs of its numbers, which are lost");
 }
 
+TEST(Substitutions, ASignOfANumberThatIsLost) {
+  const auto lost = [](const auto&, auto& result) { result[0] = std::fabs(result[0]); };
+  const auto opposite = [](const auto&, auto& result) { result[0] = -result[0]; };
+  auto arguments = numbers(7);
+  for (auto& x : arguments) x = {x[0], x[1], x[2], std::fabs(x[3]), 1, 0, 0};
+  for (std::size_t i = 0; i < 8; ++i) arguments.push_back(arguments[i]), arguments.back()[0] *= -1;
+  EXPECT_EQ(substitution_of(op::twist_angle, calls_of(op::twist_angle, arguments, lost)),
+            "where it fails, the result is the absolute value of the right one");
+  EXPECT_EQ(substitution_of(op::twist_angle, calls_of(op::twist_angle, arguments, opposite)),
+            "where it fails, the result is the opposite of the right one");
+}
+
 TEST(Substitutions, AnAngleThatIsBroughtBackByPi) {
   auto arguments = numbers(3);
   for (auto& x : arguments)
@@ -130,6 +143,58 @@ TEST(Substitutions, ALength) {
                                                              result[3] *= std::hypot(x[3], x[4], x[5]);
                                                            })),
             "where it fails, pitch is the right one times |omega|");
+}
+
+TEST(Substitutions, ALengthThatIsLimited) {
+  auto arguments = numbers(4);
+  for (auto& x : arguments) x[3] *= 1e-3;
+  const auto calls = calls_of(op::gibbs_from_quaternion, arguments, [](const auto&, auto& result) {
+    const double length = std::hypot(result[0], result[1], result[2]);
+    for (double& number : result) number *= std::min(1.0, 10 / length);
+  });
+  EXPECT_EQ(
+      wrong_length_of(op::gibbs_from_quaternion, calls),
+      "where it fails, gibbs is right but for its length, which is 10 in all of them: a limit of it, or of "
+      "what it is divided by");
+}
+
+/// Small rotations, as quaternions.
+std::vector<std::vector<double>> small_rotations() {
+  std::vector<std::vector<double>> all;
+  double theta = 1e-6;
+  for (const auto& x : numbers(3))
+    all.push_back(exact("exp3_quaternion", {theta * x[0], theta * x[1], theta * x[2]})), theta *= 3;
+  return all;
+}
+
+TEST(LostDigits, NameWhatCancels) {
+  const auto of_cosine = [](const auto& Q, auto& result) {
+    const double angle = 2 * std::acos(Q[3]), length = std::sqrt(Q[0] * Q[0] + Q[1] * Q[1] + Q[2] * Q[2]);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = Q[i] / length * angle;
+  };
+  EXPECT_TRUE(
+      lost_digits_of(op::log3_quaternion, calls_of(op::log3_quaternion, small_rotations(), of_cosine), false)
+          .starts_with("acos near 1"));
+  const auto of_root = [](const auto& Q, auto& result) {
+    const double sine = std::sqrt(1 - Q[3] * Q[3]);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = Q[i] * (2 * std::acos(Q[3])) / sine;
+  };
+  EXPECT_TRUE(
+      lost_digits_of(op::log3_quaternion, calls_of(op::log3_quaternion, small_rotations(), of_root), false)
+          .starts_with("acos(w) and sqrt(1 - w^2)"));
+}
+
+TEST(LostDigits, NameNothingWhereErrorsAreOfAnotherKind) {
+  const auto longer = [](const auto&, auto& result) {
+    for (double& number : result) number *= 1 + 1e-9;
+  };
+  EXPECT_EQ(
+      lost_digits_of(op::log3_quaternion, calls_of(op::log3_quaternion, small_rotations(), longer), false),
+      "");
+  const auto right = [](const auto&, auto&) {};
+  EXPECT_EQ(
+      lost_digits_of(op::log3_quaternion, calls_of(op::log3_quaternion, small_rotations(), right), false),
+      "");
 }
 
 TEST(Substitutions, ColumnsThatAreNotNormalised) {

@@ -33,6 +33,16 @@ void flicker(double& x) {
   if (++calls % 2 == 0) x = std::nextafter(x, 2 * std::fabs(x) + 1);
 }
 
+/// `f`, which gives its last result again for as long as the key of its input is the same.
+template <class F, class Key>
+auto kept_while(F f, Key key) {
+  return [f, key, last = std::make_shared<std::pair<X, X>>()](const auto&... x) {
+    if (const X now = key(x...); now.size() != last->first.size() || now != last->first)
+      *last = {now, f(x...)};
+    return last->second;
+  };
+}
+
 const Registered<double> subjects_with_bad_calls[] = {
     registered("call:exhausts", op::exp6,
                [](const V6& xi) {
@@ -81,6 +91,17 @@ const Registered<double> subjects_with_bad_calls[] = {
                      return next;
                    };
                    return r;
+                 };
+               }),
+    registered("call:kept",
+               [](O& o) {
+                 o.tree = [](const Tree<double>& tree) {
+                   auto t = good().tree(tree);
+                   t[op::tree_gravity] =
+                       kept_while(t[op::tree_gravity], [](const X& q) { return X(q.head(1)); });
+                   t[op::tree_nonlinear_effects] =
+                       kept_while(t[op::tree_nonlinear_effects], [](const X& q, const X&) { return q; });
+                   return t;
                  };
                }),
     registered("call:tree", [](O& o) {
@@ -213,6 +234,13 @@ TEST(CallChecks, ConcernTheFunctionsOfRobotsAndTrees) {
   EXPECT_EQ(sum(robot, op::robot_difference, &Row::not_repeatable), 0u);
   EXPECT_GE(sum(tree, op::tree_gravity, &Row::not_repeatable), 1u);
   EXPECT_EQ(sum(tree, op::tree_rnea, &Row::not_repeatable), 0u);
+}
+
+TEST(CallChecks, WhatIsKeptWhileTheFirstNumberOfQOrQIsTheSameIsFound) {
+  const CampaignResult r = run("call:kept", "lagrange", 64);  // the calls of two cases have neighbours
+  EXPECT_GE(sum(r, op::tree_gravity, &Row::not_repeatable), 1u);
+  EXPECT_GE(sum(r, op::tree_nonlinear_effects, &Row::not_repeatable), 1u);
+  EXPECT_EQ(sum(r, op::tree_rnea, &Row::failed), 0u);
 }
 
 TEST(CallChecks, FindNothingInCorrectCallsOfAnyScalarAndLaw) {

@@ -31,6 +31,13 @@ TEST(TreeFindings, AWrongJacobianMakesItsRateNotWrong) {
   EXPECT_TRUE(says(all[0], ", seen in ")) << all[0];
 }
 
+/// Doubles the numbers of every second call.
+template <class X>
+void flicker(X& x) {
+  static int calls = 0;
+  x *= ++calls % 2 + 1;
+}
+
 using Body = oracles::BodyOf<double>;
 /// Adds times m (c^2 1 - c c^T) to an inertia.
 void add_steiner(Body& body, double times) {
@@ -80,6 +87,75 @@ TEST(TreeFindings, SayWhichOtherTreeARightLibraryWouldHaveToBeGiven) {
     ASSERT_GE(all.size(), 1u) << fault.words;
     EXPECT_TRUE(says(all[0], std::string("the result is what ") + fault.words + " would give")) << all[0];
   }
+}
+
+TEST(TreeFindings, WhatBecomesOfASecondBodyOnAJoint) {
+  using Bodies = decltype(Tree<double>::fixed);
+  struct Fault {
+    const char* words;
+    void (*change)(Bodies&);
+  };
+  const Fault faults[] = {
+      {"one body alone of those on a joint", [](Bodies& all) { all.clear(); }},
+      {"a body that is not turned into the axes of its joint",
+       [](Bodies& all) {
+         for (auto& part : all) part.Q.x = {0, 0, 0, 1};
+       }},
+      {"a body that is not moved to its place on the joint",
+       [](Bodies& all) {
+         for (auto& part : all) part.p.x = {0, 0, 0};
+       }},
+      {"a body whose I_C is turned by R^T in place of R into the axes of its joint", [](Bodies& all) {
+         for (auto& part : all) {  // R^T I R in place of R I R^T
+           const Eigen::Matrix3d R = Eigen::Quaterniond(part.Q.x.data()).toRotationMatrix();
+           Eigen::Matrix3d I;
+           for (int i = 0; i < 3; ++i)
+             for (int k = 0; k < 3; ++k) I(i, k) = part.body.I_C(i, k);
+           I = (R.transpose() * R.transpose() * I * R * R).eval();
+           for (int i = 0; i < 3; ++i)
+             for (int k = 0; k < 3; ++k) part.body.I_C(i, k) = I(i, k);
+         }
+       }}};
+  for (const Fault& fault : faults) {
+    const auto all = findings_of_tree({"tree_invariance"}, [&](auto& o, const Tree<double>& tree) {
+      Tree<double> other = tree;
+      fault.change(other.fixed);
+      o[op::tree_rnea] = own_subject().operations.tree(other)[op::tree_rnea];
+    });
+    ASSERT_GE(all.size(), 1u) << fault.words;
+    EXPECT_TRUE(says(all[0], std::string("the result is what ") + fault.words + " would give")) << all[0];
+  }
+}
+
+TEST(TreeFindings, AMatrixWithoutItsLowerTriangle) {
+  const auto all = findings_of_tree({"lagrange"}, [](auto& o, const auto&) {
+    change(o, op::tree_crba, [](auto& M, const auto&...) {
+      M = M.template triangularView<Eigen::Upper>().toDenseMatrix().eval();
+    });
+  });
+  ASSERT_GE(all.size(), 1u);
+  EXPECT_TRUE(says(all[0], "right but for numbers that are 0 below the diagonal")) << all[0];
+}
+
+TEST(TreeFindings, AStepInFloat) {
+  const auto all = findings_of_tree({"lagrange"}, [](auto& o, const auto&) {
+    change(o, op::tree_gravity, [](auto& tau, const auto&...) {
+      for (Eigen::Index i = 0; i < tau.size(); ++i)  // each by another share of a rounding
+        tau[i] *= 1 + 3e-8 * std::sin(static_cast<double>(i) + 1e3 * tau[i]);
+    });
+  });
+  ASSERT_GE(all.size(), 1u);
+  EXPECT_TRUE(says(all[0], "a constant or a step of the calculation has too few digits")) << all[0];
+}
+
+TEST(TreeFindings, WhatIsKeptBetweenCallsIsOneFinding) {
+  const auto all = findings_of_tree({"lagrange"}, [](auto& o, const auto&) {
+    change(o, op::tree_gravity, [](auto& tau, const auto&...) { flicker(tau); });
+    change(o, op::tree_crba, [](auto& M, const auto&...) { flicker(M); });
+  });
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(says(all[0], "found in ")) << all[0];
+  EXPECT_TRUE(says(all[0], "something is kept from one call to the next")) << all[0];
 }
 
 TEST(TreeFindings, AWrenchInTheAxesOfTheWorld) {
