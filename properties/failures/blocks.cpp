@@ -285,7 +285,9 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
       fails_in = [&](std::size_t band) {
         return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
       };
-    if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in))
+    // That a number is 0 is that of few inputs, which may be 0 together with what matters.
+    if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in);
+        c && !(4 * c->failed < c->cases && (c->text.ends_with(" = 0") || c->text.ends_with(" is 0"))))
       return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",
                          c->in_bands && !everywhere ? bands + ", and " : "", c->degree(), c->text, c->failed,
                          c->cases, f.scalar, c->failed_elsewhere, c->elsewhere);

@@ -1,4 +1,4 @@
-// How interpolation, representations of rotations and extended poses follow from other operations.
+// How interpolation, representations of rotations, extended poses and preintegration follow from other operations.
 
 #include <cmath>
 #include <failures/relation_numbers.hpp>
@@ -80,7 +80,29 @@ Numbers by_jacobian6(const CallOf& c) {
   return jacobian9(mat6(J).topLeftCorner<3, 3>(), coupling_of(J), coupling_of(c.part(twist_of(c.x, 3))));
 }
 
+/// (dR, dp, dv) of three measurements of constant omega and a, where each turns by the given rotation.
+Numbers increments(const Numbers& x, const std::function<RowMajor3(const Numbers&)>& rotation) {
+  const double dt = x.at(18);
+  RowMajor3 R = RowMajor3::Identity();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = p;
+  for (std::size_t i = 0; i < 9; i += 3) {
+    const Eigen::Vector3d a = R * vec3(x, 9 + i);
+    p += v * dt + a * (dt * dt / 2), v += a * dt;
+    R = (R * rotation(scaled(cut(x, i, 3), dt))).eval();
+  }
+  return joined({numbers<3>(R), numbers(p), numbers(v)});
+}
+
 const Relation all_relations[] = {
+    {"preintegrate_forster", "exp3_matrix",
+     [](const CallOf& c) -> Numbers {
+       return increments(c.x, [&](const Numbers& phi) { return mat3(c.part(phi)); });
+     }},
+    {"preintegrate_forster", "exp3_quaternion",
+     [](const CallOf& c) -> Numbers {
+       return increments(
+           c.x, [&](const Numbers& phi) -> RowMajor3 { return quat(c.part(phi)).toRotationMatrix(); });
+     }},
     {"interpolate", "difference",
      [](const CallOf& c) -> Numbers { return along(c.x, c.part(cut(c.x, 0, 14))); }},
     {"interpolate", "log6",

@@ -63,6 +63,8 @@ struct Formula {
   const char* operation;
   Values<S> (*result)(const Values<S>& arguments);
   const char* text;
+  double worst =
+      0;  ///< the share of the result that the error of one call must have: without a cutoff, it loses all digits
 };
 template <class S>
 const Formula<S> formulas[] = {
@@ -125,7 +127,7 @@ const Formula<S> formulas[] = {
        const S angle = std::atan2(x[3], x[2]), a = angle * std::sin(angle) / (2 * (1 - std::cos(angle)));
        return Eigen::Matrix<S, 3, 1>(a * x[0] + angle / 2 * x[1], a * x[1] - angle / 2 * x[0], angle);
      },
-     of_one_minus_cosine},
+     of_one_minus_cosine, 0.05},
     {"se2_exp",
      [](const Values<S>& x) -> Values<S> {
        const S angle = x[2], a = std::sin(angle) / angle, b = (1 - std::cos(angle)) / angle;
@@ -133,7 +135,7 @@ const Formula<S> formulas[] = {
        pose << a * x[0] - b * x[1], b * x[0] + a * x[1], std::cos(angle), std::sin(angle);
        return pose;
      },
-     of_one_minus_cosine}};
+     of_one_minus_cosine, 0.05}};
 
 template <class S>
 Values<S> in_scalar(const Numbers& x) {
@@ -147,15 +149,18 @@ std::string formula_of(const Operation& operation, const std::vector<JudgedCall>
   for (const Formula<S>& one : formulas<S>) {
     if (operation.name != one.operation) continue;
     std::size_t explained = 0, wrong = 0;
+    double worst = 0;
     for (const auto& [call, right_numbers] : calls) {
       const Values<double> right = in_scalar<double>(right_numbers), got = in_scalar<double>(call.result);
       const double error = (got - right).norm();
       // A result of 0 may be that of a threshold.
       if (!(error > 1e3 * std::numeric_limits<S>::epsilon() * right.norm()) || got.isZero(0)) continue;
       const Values<double> other = one.result(in_scalar<S>(call.arguments)).template cast<double>();
-      ++wrong, explained += (got - other).norm() < 0.05 * error;
+      ++wrong;
+      if (!((got - other).norm() < 0.05 * error)) continue;
+      ++explained, worst = std::max(worst, error / right.norm());
     }
-    if (explained >= 5 && 2 * explained >= wrong) return one.text;
+    if (explained >= 5 && 2 * explained >= wrong && worst >= one.worst) return one.text;
   }
   return "";
 }

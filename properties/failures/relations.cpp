@@ -99,6 +99,11 @@ const Relation all_relations[] = {
      [](const CallOf& c) -> Numbers {
        return moved(c.x, quat(c.part(cut(c.x, 10, 3))), vec3(exact("exp6", cut(c.x, 7, 6)), 9));
      }},
+    {"integrate", "quaternion_product",
+     [](const CallOf& c) -> Numbers {
+       const Numbers turn = exact("exp3_quaternion", cut(c.x, 10, 3));
+       return joined({cut(exact("integrate", c.x), 0, 3), c.part(joined({cut(c.x, 3, 4), turn}))});
+     }},
     {"integrate", "left_jacobian3",
      [](const CallOf& c) -> Numbers {
        return moved(c.x, quat_of(mat3(exact("exp6", cut(c.x, 7, 6)))),
@@ -108,6 +113,12 @@ const Relation all_relations[] = {
     {"difference", "log3_quaternion",
      [](const CallOf& c) -> Numbers {
        return with_rho(c.part(relative_quaternion(c.x, 3, 10)), vec3(relative_pose(c.x), 9));
+     }},
+    {"difference", "quaternion_product",
+     [](const CallOf& c) -> Numbers {
+       const Numbers inverse = minus(cut(c.x, 3, 3));
+       const Numbers Q = c.part(joined({inverse, cut(c.x, 6, 1), cut(c.x, 10, 4)}));
+       return with_rho(exact("log3_quaternion", Q), vec3(relative_pose(c.x), 9));
      }},
     {"difference", "log3_matrix",
      [](const CallOf& c) -> Numbers {

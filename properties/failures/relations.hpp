@@ -31,7 +31,7 @@ Numbers exact(const char* operation, const Numbers& arguments);
 /// R and p of the pose from the body at q0 to the body at q1, of the arguments of a difference.
 Numbers relative_pose(const Numbers& arguments);
 
-/// Of interpolation, other representations of rotations, and extended poses.
+/// Of interpolation, other representations of rotations, extended poses, and preintegration.
 std::span<const Relation> derived_relations();
 
 /// Its parts are called at what their arguments are in an exact calculation.

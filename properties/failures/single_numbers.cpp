@@ -281,7 +281,7 @@ std::string wrong_numbers_of(const Operation& operation, const std::vector<Judge
   if (those.size() > 1 && std::ranges::all_of(judged, opposite))
     return fmt::format("where it fails, {} are of the opposite sign", fmt::join(text, ", "));
   if (those.size() > most_named) return "";
-  return fmt::format("a wrong term, factor or sign in {}: the other numbers are right",
+  return fmt::format("a wrong term, factor or sign in {}: the other numbers are right, or err far less",
                      fmt::join(text, " and "));
 }
 

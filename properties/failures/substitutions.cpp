@@ -59,6 +59,9 @@ std::string float_of(const Operation& operation, const std::vector<JudgedCall>& 
   };
   if (wrong.given_by([&](const JudgedCall& c) { return rounded(c.right); }))
     return fmt::format("where it fails, {} is rounded to float", wrong.subject());
+  if (wrong.has_floats())
+    return fmt::format("where it fails, {} has numbers of a float: it is calculated in float",
+                       wrong.subject());
   const auto given_by_rounded = [&](std::size_t from, std::size_t n) {
     return wrong.given_by([&](const JudgedCall& c) {
       Numbers x = c.call.arguments;

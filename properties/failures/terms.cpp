@@ -31,9 +31,6 @@ M3 hat(const V3& a) {
 Values by_rows(const M3& m) {
   return m.transpose().reshaped();
 }
-Values number(double x) {
-  return Values::Constant(1, x);
-}
 
 /// The coefficients of the series in phi by their closed forms. At 0.01 rad F, which cancels most, keeps five digits in double,
 /// where causes need two; D is infinite at 2 pi.
@@ -100,6 +97,45 @@ Terms of_coupling_block(const Numbers& x, double sign) {
            by_rows(k.F * F * F * P * F)}};
 }
 
+/// The same block as the derivative of J_l(phi) by phi in the direction of rho: with d theta = (phi . rho) / theta.
+Terms of_coupling_as_derivative(const Numbers& x, double sign) {
+  const V3 phi = sign * vector_at(x, 3), rho = sign * vector_at(x, 0);
+  const Coefficients k(phi);
+  if (!k.known()) return {};
+  const M3 F = hat(phi), P = hat(rho);
+  const double along = phi.dot(rho) / (k.theta * k.theta);
+  return {{"(1 - cos(theta))/theta^2 [rho]", by_rows(k.B * P)},
+          {"(theta - sin(theta))/theta^3 [phi][rho]", by_rows(k.C * F * P)},
+          {"(theta - sin(theta))/theta^3 [rho][phi]", by_rows(k.C * P * F)},
+          {"(phi . rho) (A - 2 B)/theta^2 [phi], A = sin(theta)/theta, B = (1 - cos(theta))/theta^2,",
+           by_rows(along * (k.A - 2 * k.B) * F)},
+          {"(phi . rho) (B - 3 C)/theta^2 [phi]^2, B = (1 - cos(theta))/theta^2, C = (theta - "
+           "sin(theta))/theta^3,",
+           by_rows(along * (k.B - 3 * k.C) * F * F)}};
+}
+/// Those of -J^-1 C J^-1 for the terms of C, with J = J_l(sign phi).
+Terms of_inverse_coupling(const Numbers& x, double sign, Terms terms) {
+  const V3 phi = sign * vector_at(x, 3);
+  const M3 F = hat(phi), inverse = M3::Identity() - 0.5 * F + Coefficients(phi).D * F * F;
+  for (auto& [name, value] : terms) value = by_rows(-inverse * value.reshaped(3, 3).transpose() * inverse);
+  return terms;
+}
+
+/// The increment of position over three measurements.
+Terms of_increments(const Numbers& x) {
+  M3 R = M3::Identity();
+  V3 v = V3::Zero();
+  V3 of_v = v, of_a = v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double dt = x.at(18);
+    const V3 turn = dt * vector_at(x, 3 * k), a = R * vector_at(x, 9 + 3 * k);
+    of_v += v * dt, of_a += a * (dt * dt / 2), v += a * dt;
+    const double angle = turn.norm();
+    if (angle > 0) R = R * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  }
+  return {{"dv dt", of_v}, {"1/2 dR a dt^2", of_a}};
+}
+
 /// The terms whose sum some numbers of a result are.
 struct Formula {
   const char* operation;
@@ -164,6 +200,17 @@ const Formula formulas[] = {
      }},
     {"left_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_block(x, 1); }},
     {"right_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_block(x, -1); }},
+    {"left_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_as_derivative(x, 1); }},
+    {"right_jacobian6", 9, 9, [](const Numbers& x) { return of_coupling_as_derivative(x, -1); }},
+    {"left_jacobian6_inverse", 9, 9,
+     [](const Numbers& x) { return of_inverse_coupling(x, 1, of_coupling_block(x, 1)); }},
+    {"right_jacobian6_inverse", 9, 9,
+     [](const Numbers& x) { return of_inverse_coupling(x, -1, of_coupling_block(x, -1)); }},
+    {"left_jacobian6_inverse", 9, 9,
+     [](const Numbers& x) { return of_inverse_coupling(x, 1, of_coupling_as_derivative(x, 1)); }},
+    {"right_jacobian6_inverse", 9, 9,
+     [](const Numbers& x) { return of_inverse_coupling(x, -1, of_coupling_as_derivative(x, -1)); }},
+    {"preintegrate_forster", 9, 3, of_increments},
     {"d_integrate_arg0", 9, 9, adjoint_terms, other_adjoints},
     {"compose", 9, 3,
      [](const Numbers& x) -> Terms {
@@ -226,10 +273,10 @@ const Formula formulas[] = {
      }},
     {"kinetic_energy", 0, 1, [](const Numbers& x) -> Terms {
        const V3 c = vector_at(x, 1), u = vector_at(x, 13), w = vector_at(x, 16);
-       return {{"1/2 m |u|^2", number(x[0] * u.squaredNorm() / 2)},
-               {"m u . (omega x c)", number(x[0] * u.dot(w.cross(c)))},
-               {"1/2 m |omega x c|^2", number(x[0] * w.cross(c).squaredNorm() / 2)},
-               {"1/2 omega . I_C omega", number(w.dot(matrix_at(x, 4) * w) / 2)}};
+       return {{"1/2 m |u|^2", Values::Constant(1, x[0] * u.squaredNorm() / 2)},
+               {"m u . (omega x c)", Values::Constant(1, x[0] * u.dot(w.cross(c)))},
+               {"1/2 m |omega x c|^2", Values::Constant(1, x[0] * w.cross(c).squaredNorm() / 2)},
+               {"1/2 omega . I_C omega", Values::Constant(1, w.dot(matrix_at(x, 4) * w) / 2)}};
      }}};
 
 /// The errors of wrong results, and the terms there.
@@ -297,38 +344,54 @@ bool replaced(const WrongSums& wrong, std::size_t term, const std::vector<Terms>
   return given >= 4 && 5 * given >= 4 * wrong.errors.size();
 }
 
+/// Which term the errors are a multiple of, and which; 0 if of none. Of terms that are nearly proportional, that whose factors
+/// differ least.
+std::pair<std::size_t, double> multiple_of_term(const WrongSums& wrong) {
+  std::size_t term = 0;
+  double k = 0, least = 1;
+  for (std::size_t t = 0; t < wrong.terms.front().size(); ++t)
+    if (const auto [factor, apart] = factor_of(wrong, t); factor != 0 && apart < least)
+      term = t, k = factor, least = apart;
+  return {term, k};
+}
+/// The term that a power of theta multiplies, or in whose place another one stands, in words; or "".
+std::string exchanged_term(const WrongSums& wrong) {
+  const Terms& terms = wrong.terms.front();
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    for (const int power : {1, -1, 2, -2})
+      if (has_power(wrong, t, power))
+        return fmt::format("where it fails, the term {} is theta{} times the right one", terms[t].first,
+                           power == 1 ? "" : fmt::format("^{}", power));
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    for (const auto* by : {&wrong.terms, &wrong.others})
+      for (std::size_t o = 0; o < by->front().size(); ++o)
+        if ((by != &wrong.terms || o != t) && replaced(wrong, t, *by, o))
+          return fmt::format("where it fails, {} stands in place of {}", by->front()[o].first,
+                             terms[t].first);
+  return "";
+}
+
 }  // namespace
 
 std::string wrong_term_of(const Operation& operation, const std::vector<JudgedCall>& calls) try {
-  for (const Formula& f : formulas) {
-    if (operation.name != f.operation) continue;
-    const WrongSums wrong = wrong_sums(f, operation, calls);
-    if (wrong.errors.size() < 4) continue;
-    const Terms& terms = wrong.terms.front();
-    // Of terms that are nearly proportional, that whose factors differ least.
-    std::size_t term = 0;
-    double k = 0, least = 1;
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      if (const auto [factor, apart] = factor_of(wrong, t); factor != 0 && apart < least)
-        term = t, k = factor, least = apart;
-    if (k != 0)
-      return fmt::format("where it fails, the term {} {}", terms[term].first,
-                         std::fabs(k + 1) < 0.01   ? "is left out"
-                         : std::fabs(k + 2) < 0.01 ? "has the opposite sign"
-                         : std::fabs(k - 1) < 0.01 ? "is counted twice"
-                                                   : fmt::format("has {:.3g} times its factor", 1 + k));
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      for (const int power : {1, -1, 2, -2})
-        if (has_power(wrong, t, power))
-          return fmt::format("where it fails, the term {} is theta{} times the right one", terms[t].first,
-                             power == 1 ? "" : fmt::format("^{}", power));
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      for (const auto* by : {&wrong.terms, &wrong.others})
-        for (std::size_t o = 0; o < by->front().size(); ++o)
-          if ((by != &wrong.terms || o != t) && replaced(wrong, t, *by, o))
-            return fmt::format("where it fails, {} stands in place of {}", by->front()[o].first,
-                               terms[t].first);
-  }
+  std::vector<WrongSums> sums;  // one for each way to write the formula
+  for (const Formula& f : formulas)
+    if (operation.name == f.operation)
+      if (WrongSums wrong = wrong_sums(f, operation, calls); wrong.errors.size() >= 4)
+        sums.push_back(std::move(wrong));
+  // Errors may be a multiple of a term in several of them; a simple factor tells in which.
+  constexpr std::pair<double, const char*> simple[] = {
+      {-1, "is left out"}, {-2, "has the opposite sign"}, {1, "is counted twice"}};
+  for (const auto& [factor, text] : simple)
+    for (const WrongSums& wrong : sums)
+      if (const auto [term, k] = multiple_of_term(wrong); std::fabs(k - factor) < 0.01)
+        return fmt::format("where it fails, the term {} {}", wrong.terms.front()[term].first, text);
+  for (const WrongSums& wrong : sums)
+    if (const auto [term, k] = multiple_of_term(wrong); k != 0)
+      return fmt::format("where it fails, the term {} has {:.3g} times its factor",
+                         wrong.terms.front()[term].first, 1 + k);
+  for (const WrongSums& wrong : sums)
+    if (std::string text = exchanged_term(wrong); !text.empty()) return text;
   return "";
 } catch (const std::exception&) {  // the oracle does not know these arguments
   return "";

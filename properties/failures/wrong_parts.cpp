@@ -4,6 +4,7 @@
 #include <cmath>
 #include <conventions/values.hpp>
 #include <numbers>
+#include <oracles/scalar.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -77,6 +78,25 @@ bool Wrong::given_by(const std::function<Numbers(const JudgedCall&)>& other) con
   for (std::size_t i = 0; i < count(); ++i)
     if (!gives(i, other) && ++missed > allowed) return false;
   return true;
+}
+
+bool Wrong::has_floats() const {
+  const auto is_float = [](double x) { return x == oracles::rounded_to_float(x); };
+  const auto is_short = [](double x) {  // such as 0 and 1, which are floats by chance
+    int exponent;
+    return std::fmod(0x1p12 * std::frexp(x, &exponent), 1) == 0;
+  };
+  std::size_t given = 0, missed = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Numbers &got = calls_[i]->call.result, &right = calls_[i]->right;
+    bool finite = true, floats = true, general = false;
+    for (const PartPlace& p : parts_[i])
+      for (std::size_t k = p.from; k < p.from + p.size; ++k)
+        finite = finite && std::isfinite(got[k]), floats = floats && is_float(got[k]),
+        general = general || !(is_short(got[k]) || is_float(right[k]));
+    if (finite) (floats && general ? given : missed) += 1;
+  }
+  return given >= 4 && missed == 0;
 }
 
 double Wrong::factor(const PartPlace& at) const {

@@ -29,6 +29,9 @@ class Wrong {
   /// Whether the results are those that `other` gives for all calls, or for four of five.
   bool of_all = true;
   bool given_by(const std::function<Numbers(const JudgedCall&)>& other) const;
+  /// Whether the numbers of wrong parts are those of a float, beside right ones that are not, in four calls and all that do not
+  /// overflow.
+  bool has_floats() const;
   /// By what the right numbers must be multiplied to be those of the first call in which they are large; 0 if there is none.
   double factor(const PartPlace& at) const;
   /// The parts that are wrong, in words, if they are the same ones in all calls.

@@ -27,7 +27,11 @@ struct TreeCase {
       return {{number(i), number(i + 1), number(i + 2), number(i + 3)}};
     };
     tree.gravity = three(at.gravity());
-    for (int i = 0; i < at.slots && whole(at.parent(i)) > absent_joint; ++i) {
+    int joints = 0;
+    while (joints < at.slots && whole(at.parent(joints)) > absent_joint) ++joints;
+    tree.joints.reserve(static_cast<std::size_t>(joints));
+    for (auto* numbers : {&q, &v, &a, &d}) numbers->reserve(static_cast<std::size_t>(2 * joints));
+    for (int i = 0; i < joints; ++i) {
       using Slot = TreeSlot;
       const int slot = at.slot(i);
       JointOf<T> j;

@@ -67,6 +67,7 @@ inline double weighted_size(const std::vector<oracles::Tangent>& x, const std::v
 /// The products w_k w_l of all pairs of entries, row by row.
 inline std::vector<double> products(const std::vector<double>& w) {
   std::vector<double> all;
+  all.reserve(w.size() * w.size());
   for (double a : w)
     for (double b : w) all.push_back(a * b);
   return all;
@@ -77,6 +78,7 @@ template <class T>
 double weighted_error(const oracles::Scalar& scalar, const std::vector<T>& computed,
                       const std::vector<T>& exact, const std::vector<double>& w, const T& scale) {
   std::vector<T> difference;
+  difference.reserve(exact.size());
   for (std::size_t k = 0; k < exact.size(); ++k) difference.push_back(computed[k] - exact[k]);
   const T size = oracles::larger(scale, T(scalar.least_denominator()));
   return oracles::in_eps(scalar, T(weighted_norm(difference, w) / size));

@@ -128,6 +128,9 @@ Vec6<T> TreePoses<T>::twist(std::size_t i, int idx_v, const Numbers& x) const {
 template <class T>
 TreePoses<T>::TreePoses(const TreeOf<T>& tree, const Numbers& q, const Numbers& displaced)
     : origin(zero_vector<3, T>()) {
+  const std::size_t n = tree.joints.size();
+  L.reserve(n), X.reserve(n), J.reserve(n), XJ.reserve(n), first.reserve(n + 1);
+  S.reserve(static_cast<std::size_t>(tree.nv)), columns.reserve(static_cast<std::size_t>(tree.nv));
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     Pauses::look();
     const JointOf<T>& j = tree.joints[i];

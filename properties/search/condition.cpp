@@ -73,9 +73,7 @@ class ConditionSearch {
     if (auto found = separating(); found || !fails_in_) return found;
     std::erase_if(all_, [&](const Tried& t) { return !fails_in_(t.band); });
     in_bands_ = true, gain_of_bands_ = 0;
-    auto found = separating();
-    if (found) found->in_bands = true;
-    return found;
+    return separating();
   }
 
  private:
@@ -99,7 +97,8 @@ class ConditionSearch {
         for (const Candidate& part : candidates(i, inputs)) {
           Found next = with({}, part, inputs.size(), failed, 0);
           const bool little = trial_.names()[i].unit == " eps" && part.range.low < 16;  // it is rounding
-          if (!holds_for_failures(next.counts) || (little && (in_bands_ || part.range.high < 1))) continue;
+          if (is_rounding(trial_.names()[i], part.range.low, part.range.high, in_bands_)) continue;
+          if (!holds_for_failures(next.counts)) continue;
           if (next.score > of_feature.score && !little) of_feature = next;
           if (next.score > best.score && is_accepted(next)) best = next;
         }
@@ -283,6 +282,7 @@ class ConditionSearch {
                              [&](const FeatureRange& part) { return borders(part); });
     const FeatureRange& main = f.parts.front();
     Condition c;
+    c.in_bands = in_bands_;
     c.feature = name(main).feature, c.low = main.low, c.high = main.high;
     for (const FeatureRange& part : f.parts)
       c.text += (c.text.empty() ? "" : " and ") + text_of(name(part), part.low, part.high, series_.format());

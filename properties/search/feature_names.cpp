@@ -294,6 +294,11 @@ std::vector<double> argument_features(const NumberFunction& function, const std:
   return std::move(reader.values);
 }
 
+bool is_rounding(const FeatureName& name, double low, double high, bool in_bands) {
+  const bool from_least = in_bands ? low < 16 : low < 1 && std::isinf(high);
+  return name.unit == " eps" && (high < 1 || from_least);
+}
+
 std::string text_of(const FeatureName& name, double low, double high, const Scalar& scalar) {
   if (name.written == Written::flag) return low > 0 ? name.name : name.unit;
   const bool below = std::isinf(low), above = std::isinf(high);

@@ -33,6 +33,9 @@ std::vector<FeatureName> argument_names(const NumberFunction& function);
 std::vector<double> argument_features(const NumberFunction& function, const std::vector<double>& arguments,
                                       bool floating);
 
+/// Whether rounding errors alone tell a range of a feature from its other values; beside bands of angles, they tell less.
+bool is_rounding(const FeatureName& name, double low, double high, bool in_bands);
+
 /// A feature from `low` up to but not `high`, in words: "Q.w < 0", "|p_Y| >= 1e+03 m", "a joint is prismatic".
 std::string text_of(const FeatureName& name, double low, double high, const Scalar& scalar);
 

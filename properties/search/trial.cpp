@@ -57,7 +57,7 @@ TrialOfFeatures::TrialOfFeatures(const Series& series, std::size_t output)
     : series_(series), output_(output), of_tree_(is_tree_law(series.property) && !series.on_robot) {}
 
 std::vector<double> TrialOfFeatures::features_of(const NumberFunction& f, const void* arguments,
-                                       const Context& context) {
+                                                 const Context& context) {
   const std::size_t n = count_numbers(f.operation->arguments, f.model);
   const std::vector<double> numbers = f.scalar->with([&]<class S>() {
     return std::vector<double>(static_cast<const S*>(arguments), static_cast<const S*>(arguments) + n);

@@ -5,6 +5,8 @@
 #include <failures/alternatives.hpp>
 #include <failures/lost_digits.hpp>
 #include <failures/single_numbers.hpp>
+#include <failures/terms.hpp>
+#include <failures/wrong_parts.hpp>
 #include <numbers>
 #include <operations/operations.hpp>
 
@@ -156,6 +158,62 @@ TEST(Substitutions, ALengthThatIsLimited) {
       wrong_length_of(op::gibbs_from_quaternion, calls),
       "where it fails, gibbs is right but for its length, which is 10 in all of them: a limit of it, or of "
       "what it is divided by");
+}
+
+TEST(Substitutions, ASumInFloat) {
+  const auto in_float = [](const auto& x, auto& result) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      float sum = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += static_cast<float>(x[3 * i + k]) * static_cast<float>(x[12 + k]);
+      result[i] = static_cast<double>(sum + static_cast<float>(x[9 + i]));
+    }
+  };
+  auto arguments = numbers(15);
+  for (auto& x : arguments) std::ranges::copy(exact("exp3_matrix", {x[0], x[1], x[2]}), x.begin());
+  EXPECT_EQ(float_of(op::act_point, calls_of(op::act_point, arguments, in_float)),
+            "where it fails, the result has numbers of a float: it is calculated in float");
+}
+
+TEST(Substitutions, TermsOfTheCouplingAsADerivative) {
+  const auto without = [](const auto& xi, auto& J) {  // C lacks (phi . rho) (B - 3 C)/theta^2 [phi]^2
+    const double x = xi[3], y = xi[4], z = xi[5], theta = std::hypot(x, y, z);
+    const double B = (1 - std::cos(theta)) / (theta * theta),
+                 C = (theta - std::sin(theta)) / (theta * theta * theta);
+    const double factor = (x * xi[0] + y * xi[1] + z * xi[2]) * (B - 3 * C) / (theta * theta);
+    const double square[] = {-y * y - z * z, x * y, x * z, x * y,         -x * x - z * z,
+                             y * z,          x * z, y * z, -x * x - y * y};
+    for (std::size_t i = 0; i < 9; ++i) J[9 + i] -= factor * square[i];
+  };
+  auto calls = calls_of(op::left_jacobian6, numbers(6), [](const auto&, auto&) {});
+  for (JudgedCall& c : calls) {
+    c.right = in_blocks(op::left_jacobian6, c.right), c.call.result = c.right;
+    without(c.call.arguments, c.call.result);
+  }
+  EXPECT_TRUE(
+      wrong_term_of(op::left_jacobian6, calls).find("the term (phi . rho) (B - 3 C)/theta^2 [phi]^2") !=
+      std::string::npos)
+      << wrong_term_of(op::left_jacobian6, calls);
+}
+
+TEST(Substitutions, APositionWithTheVelocityAfterItsUpdate) {
+  const auto late = [](const auto& x, auto& result) {  // dp += dv dt + 1/2 dR a dt^2, with the new dv
+    const double dt = x[18];
+    std::vector<double> R{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (std::size_t m = 0; m < 3; ++m) {
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) result[9 + i] += R[3 * i + k] * x[9 + 3 * m + k] * dt * dt;
+      const std::vector<double> turn = exact("exp3_matrix",
+                                             {dt * x[3 * m], dt * x[3 * m + 1], dt * x[3 * m + 2]}),
+                                old = R;
+      for (std::size_t i = 0; i < 9; ++i) {
+        R[i] = 0;
+        for (std::size_t k = 0; k < 3; ++k) R[i] += old[3 * (i / 3) + k] * turn[3 * k + i % 3];
+      }
+    }
+  };
+  EXPECT_EQ(wrong_term_of(op::preintegrate_forster, calls_of(op::preintegrate_forster, numbers(19), late)),
+            "where it fails, the term 1/2 dR a dt^2 has 3 times its factor");
 }
 
 /// Small rotations, as quaternions.

@@ -118,9 +118,13 @@ class Model {
   int addJointUnchecked(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name);
   int addFrameUnchecked(const Frame<S>& frame);
   static void grow(VectorX<S>& v, int size, const S& value);
-  void checkJoint(int joint, const std::string& what) const;
+  /// `of` and a name in quotes are joined only for a message: models are built in the loops of campaigns.
+  void checkJoint(int joint, const char* of, const std::string& quoted = "") const;
   void checkCarrier(const Frame<S>& frame) const;
-  static void checkPose(const SE3<S>& X, const std::string& what);
+  static void checkPose(const SE3<S>& X, const char* of, const std::string& quoted, const char* what = "");
+  static std::string named(const char* of, const std::string& quoted) {
+    return quoted.empty() ? of : of + (" '" + quoted + "'");
+  }
   int frameOfJoint(int joint) const;
 
   std::unordered_map<std::string, int> joint_ids_;
@@ -136,25 +140,25 @@ Model<S>::Model() {
 
 template <Scalar S>
 int Model<S>::addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name) {
-  checkJoint(parent, "the parent of joint '" + joint_name + "'");
+  checkJoint(parent, "the parent of joint", joint_name);
   if (existJointName(joint_name))
     throw std::invalid_argument("the model already has a joint named '" + joint_name + "'");
   if (std::holds_alternative<Universe<S>>(joint))
     throw std::invalid_argument("joint '" + joint_name + "' is a second universe");
   if (const Mimic<S>* mimic = std::get_if<Mimic<S>>(&joint)) {
-    checkJoint(mimic->primary, "the primary of joint '" + joint_name + "'");
+    checkJoint(mimic->primary, "the primary of joint", joint_name);
     if (nvs[std::size_t(mimic->primary)] != 1)
       throw std::invalid_argument("joint '" + joint_name + "' mimics joint '" +
                                   names[std::size_t(mimic->primary)] +
                                   "', which does not have exactly one degree of freedom");
   }
-  checkPose(X_PJ, "the placement of joint '" + joint_name + "'");
+  checkPose(X_PJ, "the placement of joint", joint_name);
   return addJointUnchecked(parent, joint, X_PJ, joint_name);
 }
 
 template <Scalar S>
 int Model<S>::addFrame(const Frame<S>& frame) {
-  checkJoint(frame.parentJoint, "the parent of frame '" + frame.name + "'");
+  checkJoint(frame.parentJoint, "the parent of frame", frame.name);
   if (frame.parentFrame < 0 || frame.parentFrame >= nframes)
     throw std::invalid_argument("the parent of frame '" + frame.name + "' is frame " +
                                 std::to_string(frame.parentFrame) + ": the number of frames is " +
@@ -162,7 +166,7 @@ int Model<S>::addFrame(const Frame<S>& frame) {
   if (existFrame(frame.name, frame.type))
     throw std::invalid_argument("the model already has a frame of that type named '" + frame.name + "'");
   checkCarrier(frame);
-  checkPose(frame.placement, "the placement of frame '" + frame.name + "'");
+  checkPose(frame.placement, "the placement of frame", frame.name);
   return addFrameUnchecked(frame);
 }
 
@@ -175,14 +179,14 @@ int Model<S>::addJointFrame(int joint, int parent_frame) {
 
 template <Scalar S>
 int Model<S>::addBodyFrame(const std::string& body, int joint, const SE3<S>& X_JB, int parent_frame) {
-  checkJoint(joint, "the parent of body '" + body + "'");
+  checkJoint(joint, "the parent of body", body);
   if (parent_frame < 0) parent_frame = frameOfJoint(joint);
   return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
 }
 
 template <Scalar S>
 int Model<S>::addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame) {
-  checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
+  checkJoint(joint, "the parent of fixed joint", fixed_name);
   if (parent_frame < 0) parent_frame = frameOfJoint(joint);
   return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
 }
@@ -190,15 +194,15 @@ int Model<S>::addFixedJoint(const std::string& fixed_name, int joint, const SE3<
 template <Scalar S>
 void Model<S>::appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB) {
   checkJoint(joint, "a body's parent");
-  const std::string what = "a body of joint '" + names[std::size_t(joint)] + "': ";
+  const std::string& carrier = names[std::size_t(joint)];
   const std::string why = whyInvalid(I_B);
-  if (!why.empty()) throw std::invalid_argument(what + why);
-  checkPose(X_JB, what + "its pose");
+  if (!why.empty()) throw std::invalid_argument(named("a body of joint", carrier) + ": " + why);
+  checkPose(X_JB, "a body of joint", carrier, ": its pose");
   Inertia<S>& I_J = inertias[std::size_t(joint)];
   const Inertia<S> sum = I_J + X_JB.act(I_B);
   if (!sum.matrix().allFinite())
-    throw std::invalid_argument(what +
-                                "its inertia and that of the others, about the joint's origin, overflow");
+    throw std::invalid_argument(named("a body of joint", carrier) +
+                                ": its inertia and that of the others, about the joint's origin, overflow");
   I_J = sum;
   revision = multibody_detail::nextRevision();
 }
@@ -325,9 +329,9 @@ void Model<S>::grow(VectorX<S>& v, int size, const S& value) {
 }
 
 template <Scalar S>
-void Model<S>::checkJoint(int joint, const std::string& what) const {
+void Model<S>::checkJoint(int joint, const char* of, const std::string& quoted) const {
   if (joint < 0 || joint >= njoints)
-    throw std::invalid_argument(what + " is joint " + std::to_string(joint) +
+    throw std::invalid_argument(named(of, quoted) + " is joint " + std::to_string(joint) +
                                 ", and the number of joints is " + std::to_string(njoints));
 }
 
@@ -346,10 +350,15 @@ void Model<S>::checkCarrier(const Frame<S>& frame) const {
 
 /// The rotation may be off by sqrt(eps), half the digits: typed numbers are accepted, mistakes are not.
 template <Scalar S>
-void Model<S>::checkPose(const SE3<S>& X, const std::string& what) {
+void Model<S>::checkPose(const SE3<S>& X, const char* of, const std::string& quoted, const char* what) {
   using std::sqrt;
-  checked_rotation_detail::refuseNonFinite<S>(what + ": position", X.translation());
-  checkedRotation<S>(X.rotation(), S(sqrt(eps<S>())), what + ": rotation");
+  const S budget = sqrt(eps<S>());
+  bool all_finite = true;
+  for (int i = 0; i < 3; ++i) all_finite = all_finite && finite<S>(X.translation()[i]);
+  if (all_finite && checked_rotation_detail::isRotation<S>(X.rotation(), budget)) return;
+  const std::string pose = named(of, quoted) + what;
+  checked_rotation_detail::refuseNonFinite<S>(pose + ": position", X.translation());
+  checkedRotation<S>(X.rotation(), budget, pose + ": rotation");
 }
 
 template <Scalar S>

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace liecheck {
@@ -20,7 +21,7 @@ S normDefectBudget() {
 namespace checked_rotation_detail {
 
 template <Scalar S>
-[[noreturn]] void refuse(const std::string& what, const S& value, const std::string& why) {
+[[noreturn]] void refuse(std::string_view what, const S& value, const std::string& why) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
@@ -29,10 +30,34 @@ template <Scalar S>
 }
 
 template <Scalar S, class M>
-void refuseNonFinite(const std::string& what, const M& numbers) {
+void refuseNonFinite(std::string_view what, const M& numbers) {
   for (int i = 0; i < numbers.rows(); ++i)
     for (int j = 0; j < numbers.cols(); ++j)
       if (!finite<S>(numbers(i, j))) refuse<S>(what, numbers(i, j), "not finite");
+}
+
+/// |R^T R - I| (Frobenius).
+template <Scalar S>
+S orthogonalityDefect(const Matrix3<S>& R) {
+  Matrix3<S> E;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      CompensatedSum<S> sum;
+      for (int k = 0; k < 3; ++k) sum.add_product(R(k, i), R(k, j));
+      if (i == j) sum.add(S(-1));
+      E(i, j) = sum.value();
+    }
+  using std::sqrt;
+  return sqrt(E.squaredNorm());
+}
+template <Scalar S>
+S determinantOf(const Matrix3<S>& R) {
+  return R.col(0).dot(cross<S>(R.col(1), R.col(2)));
+}
+/// Whether checkedRotation accepts R.
+template <Scalar S>
+bool isRotation(const Matrix3<S>& R, const S& budget) {
+  return orthogonalityDefect<S>(R) <= budget && determinantOf<S>(R) > S(0);
 }
 
 }  // namespace checked_rotation_detail
@@ -57,23 +82,14 @@ SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
 template <Scalar S>
 Matrix3<S> checkedRotation(const Matrix3<S>& R, const std::type_identity_t<S>& budget = normDefectBudget<S>(),
                            const std::string& what = "rotation matrix") {
-  using checked_rotation_detail::refuse;
-  checked_rotation_detail::refuseNonFinite<S>(what, R);
-  Matrix3<S> E;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      CompensatedSum<S> sum;
-      for (int k = 0; k < 3; ++k) sum.add_product(R(k, i), R(k, j));
-      if (i == j) sum.add(S(-1));
-      E(i, j) = sum.value();
-    }
-  using std::sqrt;
-  const S defect = sqrt(E.squaredNorm());
+  using namespace checked_rotation_detail;
+  refuseNonFinite<S>(what, R);
+  const S defect = orthogonalityDefect<S>(R);
   if (!(defect <= budget))
     refuse<S>(what + ": |R^T R - I|", defect,
               "not 0 up to " + std::to_string(long(double(budget / eps<S>()))) +
                   " eps: take the nearest rotation first");
-  const S determinant = R.col(0).dot(cross<S>(R.col(1), R.col(2)));
+  const S determinant = determinantOf<S>(R);
   if (!(determinant > S(0))) refuse<S>(what + ": determinant", determinant, "a reflection is not a rotation");
   return R;
 }
