@@ -236,14 +236,19 @@ std::string of_jump(const FailedBlock& f) try {
   return "";
 }
 
-/// What errors over the angles and the outcomes tell, the worst first.
-std::string of_errors_over_angles(const FailedBlock& f) {
+/// What errors over the angles and the outcomes tell, the worst first. A formula that cancels is told in place of a shape of
+/// errors, and 1 - cos, which is 0, in place of a division by 0.
+std::string of_errors_over_angles(const FailedBlock& f, const std::string& lost_digits) {
   const bool near_pi_first = f.worst->series->bands()[f.worst->band].axis == Axis::pi_minus_theta;
-  const std::string small = shape_at_small_angles(f), near_pi = shape_near_pi(f);
-  std::vector<std::string> guesses{of_branch_near_pi(f), near_pi_first ? near_pi : small,
-                                   near_pi_first ? small : near_pi, of_underflow(f)};
-  guesses.insert(worst_outcome(*f.worst->row).starts_with("NaN") ? guesses.begin() : guesses.end(),
-                 of_not_finite(f));
+  std::vector<std::string> guesses{of_branch_near_pi(f), lost_digits};
+  if (lost_digits.empty()) {
+    guesses.push_back(shape_at_small_angles(f)), guesses.push_back(shape_near_pi(f));
+    if (near_pi_first) std::swap(guesses[2], guesses[3]);
+    guesses.push_back(of_underflow(f));
+  }
+  if (!lost_digits.starts_with("1 - cos"))
+    guesses.insert(worst_outcome(*f.worst->row).starts_with("NaN") ? guesses.begin() : guesses.end(),
+                   of_not_finite(f));
   std::string all;
   for (const std::string& guess : guesses)
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
@@ -304,9 +309,8 @@ std::string guess_of(const FailedBlock& f) {
   const auto lost_digits = [&](const Operation& operation, const std::vector<JudgedCall>& all) {
     return lost_digits_of(operation, all, f.worst->series->format().is_float());
   };
-  if (has_lost_digits(operation_of(f)))
-    if (std::string guess = of_calls(lost_digits); !guess.empty()) return guess;
-  if (std::string guess = of_errors_over_angles(f); !guess.empty()) return guess;
+  const std::string lost = has_lost_digits(operation_of(f)) ? of_calls(lost_digits) : "";
+  if (std::string guess = of_errors_over_angles(f, lost); !guess.empty()) return guess;
   if (std::string guess = of_double ? of_calls(float_of) : ""; !guess.empty()) return guess;
   const bool of_value = !f.block.ends_with("defect");  // a change of the arguments leaves a norm as it is
   for (const auto cause :

@@ -51,8 +51,7 @@ constexpr const char* of_root =
     "1 - w^2 cancels as theta goes to 0, in sqrt(1 - w^2) for |v|, for example: |v| keeps all digits";
 constexpr const char* of_dot =
     "theta is acos of the dot product, which keeps half of the digits near theta = 0 and pi; atan2 of both "
-    "parts "
-    "does not";
+    "parts does not";
 constexpr const char* of_one_minus_cosine =
     "1 - cos(theta) cancels, and is 0 below theta about 1.5e-8 in double: 2 sin(theta / 2)^2 keeps all "
     "digits";
@@ -63,8 +62,7 @@ struct Formula {
   const char* operation;
   Values<S> (*result)(const Values<S>& arguments);
   const char* text;
-  double worst =
-      0;  ///< the share of the result that the error of one call must have: without a cutoff, it loses all digits
+  double worst = 0;  ///< what share of its result one error must be: without a cutoff, one loses all digits
 };
 template <class S>
 const Formula<S> formulas[] = {
