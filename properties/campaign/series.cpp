@@ -432,8 +432,10 @@ std::size_t Series::band_of_input(const std::vector<double>& x, std::size_t outp
 void Series::record_thrown(const std::exception& thrown, const std::vector<double>& x, Judge& judge) const {
   if (dynamic_cast<const std::bad_alloc*>(&thrown)) throw;  // says nothing about the subject
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
-  if ((profile != Profile::ours || !adapter.empty()) && (!failed || failed->outcome == Outcome::refused) &&
-      (norm_is_far_from_one(fields, x) || gives_no_rotations(law_->statement())))
+  const bool of_others = profile != Profile::ours;
+  if ((!failed || failed->outcome == Outcome::refused) &&
+      ((of_others && norm_is_far_from_one(fields, x)) ||
+       ((of_others || !adapter.empty()) && gives_no_rotations(law_->statement()))))
     return judge.close(due, Outcome::outside_domain);
   if (failed && failed->outcome == Outcome::outside_domain) {
     for (std::size_t i = 0; i < outputs.size(); ++i)

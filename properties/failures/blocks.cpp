@@ -285,7 +285,7 @@ std::string where_and_how_often(const FailedBlock& f, const CampaignResult& camp
       fails_in = [&](std::size_t band) {
         return std::ranges::any_of(f.bands, [&](const BandOf& b) { return b.band == band && b.fails; });
       };
-    // That a number is 0 is that of few inputs, which may be 0 together with what matters.
+    // A number is exactly 0 in few inputs, and others are 0 with it: where three quarters of these pass, it is none.
     if (const auto c = condition_of(series, worst.output, campaign.options.seed, fails_in);
         c && !(4 * c->failed < c->cases && (c->text.ends_with(" = 0") || c->text.ends_with(" is 0"))))
       return fmt::format("{}{}{}: {} of {} cases in {}, elsewhere {} of {}",

@@ -344,7 +344,7 @@ bool replaced(const WrongSums& wrong, std::size_t term, const std::vector<Terms>
   return given >= 4 && 5 * given >= 4 * wrong.errors.size();
 }
 
-/// Which term the errors are a multiple of, and which; 0 if of none. Of terms that are nearly proportional, that whose factors
+/// The term of which the errors are a multiple, and the factor; 0 if they are one of none. Of terms that are nearly proportional, that whose factors
 /// differ least.
 std::pair<std::size_t, double> multiple_of_term(const WrongSums& wrong) {
   std::size_t term = 0;

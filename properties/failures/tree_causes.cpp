@@ -126,8 +126,8 @@ std::map<std::string_view, std::string_view> tree_causes(const std::vector<const
   std::vector<std::string_view> order;
   for (const auto& [operation, block] : measured) order.push_back(operation);
   std::ranges::stable_sort(order, {}, place_of);
-  // Calls are repeated in few cases, so what keeps a state need not fail on the same trees. What also passes on all trees
-  // now fails after other calls alone.
+  // Calls are repeated in few cases, so what keeps a state need not fail on the same trees. An operation that
+  // passes on all of these trees, which are measured anew, fails after other calls alone.
   const auto kept = std::ranges::find_if(order, [&](std::string_view operation) {
     return worst_outcome(*measured.at(operation)->worst->row) == "not repeatable";
   });
